@@ -2,7 +2,9 @@
 package dev.carom.bench.cli;
 
 import java.io.PrintStream;
-import java.util.Arrays;
+import java.util.ArrayDeque;
+import java.util.Deque;
+import java.util.List;
 import java.util.Set;
 import java.util.stream.Collectors;
 import java.util.stream.Stream;
@@ -32,20 +34,15 @@ import picocli.CommandLine.UnmatchedArgumentException;
     subcommands = {
       ReplayCommand.class,
       ReportCommand.class,
-      SweepCommand.class,
+      MeasureCommand.class,
       StabilityCommand.class,
-      ScaleCommand.class,
-      FeaturesCommand.class,
-      GasCommand.class,
       SimulateCommand.class,
       CastCommand.class,
       RungsCommand.class,
       ReferenceCommand.class,
       ViewCommand.class,
       ExampleCommand.class,
-      ThreadsCommand.class,
       HashCommand.class,
-      SoakCommand.class,
       FuzzCommand.class,
       JmhCommand.class
     })
@@ -79,7 +76,7 @@ public final class CaromBench {
 
   static int execute(CommandLine commandLine, String... args) {
     try {
-      return commandLine.execute(isHelp(commandLine, args) ? help(args) : withCommand(args));
+      return commandLine.execute(words(args));
     } catch (OutOfMemoryError e) {
       commandLine
           .getErr()
@@ -94,32 +91,35 @@ public final class CaromBench {
             .setParameterExceptionHandler((e, args) -> explainUsage(e))
             .setExecutionExceptionHandler((e, line, parsed) -> Failure.explain(e, line));
     CommandGroups.show(all);
-    all.getSubcommands().values().forEach(c -> c.getCommandSpec().versionProvider(new Version()));
+    tellVersion(all);
     return all;
   }
 
-  /** Whether this is {@code help}, or {@code help COMMAND}. */
-  private static boolean isHelp(CommandLine commandLine, String... args) {
-    return args.length > 0
+  private static boolean isCommand(String word) {
+    return commandLine().getSubcommands().containsKey(word);
+  }
+
+  private static void tellVersion(CommandLine line) {
+    line.getCommandSpec().versionProvider(new Version());
+    line.getSubcommands().values().forEach(CaromBench::tellVersion);
+  }
+
+  /** The command line in full: {@code help}, options alone, and series by their names alone. */
+  static String[] words(String... args) {
+    Deque<String> words = new ArrayDeque<>(List.of(args));
+    if (args.length > 0
         && args[0].equals("help")
-        && (args.length == 1 || commandLine.getSubcommands().containsKey(args[1]));
-  }
-
-  private static String[] help(String... args) {
-    String[] words = Arrays.copyOfRange(args, 1, args.length + 1);
-    words[args.length - 1] = "--help";
-    return words;
-  }
-
-  private static String[] withCommand(String... args) {
-    boolean named = args.length > 0 && (!args[0].startsWith("-") || OWN_OPTIONS.contains(args[0]));
-    if (named) {
-      return args;
+        && (args.length == 1 || isCommand(args[1]) || MeasureCommand.SERIES.contains(args[1]))) {
+      words.add("--help");
+      words.remove();
     }
-    String[] more = new String[args.length + 1];
-    more[0] = DEFAULT_COMMAND;
-    System.arraycopy(args, 0, more, 1, args.length);
-    return more;
+    String first = words.isEmpty() ? "-" : words.peek();
+    if (MeasureCommand.SERIES.contains(first)) {
+      words.push(MeasureCommand.NAME);
+    } else if (first.startsWith("-") && !OWN_OPTIONS.contains(first)) {
+      words.push(DEFAULT_COMMAND);
+    }
+    return words.toArray(String[]::new);
   }
 
   private static int explainUsage(ParameterException e) {

@@ -12,8 +12,8 @@ import picocli.CommandLine.Model.UsageMessageSpec;
 /** The list of commands in the help, grouped by what they are for. */
 enum CommandGroups {
   TRY("Try it:", "replay view example simulate cast"),
-  MEASURE("Measure:", "report sweep scale features gas threads stability rungs jmh"),
-  CHECK("Look for mistakes:", "fuzz soak hash reference");
+  MEASURE("Measure:", "report measure stability rungs jmh"),
+  CHECK("Look for mistakes:", "fuzz hash reference");
 
   private final String heading;
   private final String commands;

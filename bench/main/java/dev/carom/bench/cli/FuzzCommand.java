@@ -1,20 +1,31 @@
 // SPDX-License-Identifier: Apache-2.0
 package dev.carom.bench.cli;
 
+import dev.carom.Scene;
+import dev.carom.bench.experiment.CannotPlaceException;
+import dev.carom.bench.experiment.Crosses;
+import dev.carom.bench.experiment.Gas;
+import dev.carom.bench.fuzz.EndScene;
 import dev.carom.bench.fuzz.FindingException;
 import dev.carom.bench.fuzz.QueryFuzz;
+import dev.carom.bench.fuzz.Soak;
+import dev.carom.bench.fuzz.SoakResult;
 import dev.carom.bench.fuzz.WorldFuzz;
 import dev.carom.bench.replay.Counted;
 import java.io.PrintWriter;
+import java.util.Arrays;
 import java.util.List;
 import java.util.Locale;
 import java.util.concurrent.Callable;
 import java.util.concurrent.TimeUnit;
+import java.util.function.IntConsumer;
 import picocli.CommandLine.Command;
+import picocli.CommandLine.ITypeConverter;
 import picocli.CommandLine.Model.CommandSpec;
 import picocli.CommandLine.Option;
 import picocli.CommandLine.ParameterException;
 import picocli.CommandLine.Spec;
+import picocli.CommandLine.TypeConversionException;
 
 /** Looks for what must not be, in random worlds and queries. */
 @Command(
@@ -29,14 +40,29 @@ import picocli.CommandLine.Spec;
           + " energy is as the responses allow; the log is in the order of time; rows and states"
           + " are the same if the step is cut, restored on the way, or of one circle alone.",
       "With --queries it asks the detector with numbers of all patterns instead.",
+      "With --impacts it runs one world for very many impacts: the canonical scene, with every"
+          + " flight checked against every line; a gas; or a scene on which the end rule works, with"
+          + " each step checked as above. It tells escapes, crossings, energy, heap in use, and time"
+          + " per impact at the start and at the end. It fails if a circle escapes or crosses, or the"
+          + " energy changes by more than 1e-11 of itself.",
       "The first finding ends the run, with the seed and the scene that show it again."
     },
-    footer = {"", "Example: carom-bench fuzz --seconds 600 --seed 7"},
+    footer = {
+      "",
+      "Example: carom-bench fuzz --seconds 600 --seed 7",
+      "         carom-bench fuzz --impacts 1000000 --gas"
+    },
     mixinStandardHelpOptions = true,
     sortOptions = false)
 final class FuzzCommand implements Callable<Integer> {
 
-  private static final List<String> LENGTHS = List.of("--seconds", "--sessions", "--queries");
+  private static final List<String> LENGTHS =
+      List.of("--seconds", "--sessions", "--queries", "--impacts");
+
+  /** Options of a run of very many impacts. */
+  private static final List<String> SCENES = List.of("--scene", "--gas", "--circles");
+
+  private static final double PACKING = 0.2;
 
   /** Queries between two looks at the progress. */
   private static final int PARTS = 20;
@@ -60,19 +86,46 @@ final class FuzzCommand implements Callable<Integer> {
   private Long queries;
 
   @Option(
+      names = "--impacts",
+      paramLabel = "N",
+      description = "Run one world instead for so many impacts, at least 100,000.")
+  private Long impacts;
+
+  @Option(
+      names = "--gas",
+      description =
+          "With --impacts: a gas of circles that collide, instead of the canonical scene.")
+  private boolean gas;
+
+  @Option(
+      names = "--scene",
+      paramLabel = "KIND",
+      converter = Kinds.class,
+      description = {
+        "With --impacts: a scene on which the end rule works, instead of the canonical one: trapped circles,"
+            + " pockets of some ulps, infinite masses, doors that crush balls, a heap that each"
+            + " step pushes downwards, or bumpers; or balls under gravity: a fall among slopes and"
+            + " pegs, a pile, or plinko (${COMPLETION-CANDIDATES})."
+      })
+  private EndScene.Kind kind;
+
+  @Option(
+      names = "--circles",
+      paramLabel = "N",
+      description = "With --impacts: how many circles (default: 100; of the gas 1,000).")
+  private Integer circles;
+
+  @Option(
       names = "--seed",
       paramLabel = "S",
       defaultValue = "1",
-      description = "Of the first world, or of all queries (default: ${DEFAULT-VALUE}).")
+      description =
+          "Of the first world, of all queries, or of the one scene (default: ${DEFAULT-VALUE}).")
   private long seed;
 
   @Override
-  public Integer call() {
-    List<String> lengths = LENGTHS.stream().filter(this::isGiven).toList();
-    if (lengths.size() > 1) {
-      String both = String.join(" and ", lengths.subList(0, 2));
-      throw new ParameterException(spec.commandLine(), both + " exclude each other");
-    }
+  public Integer call() throws CannotPlaceException {
+    excludeOthers(LENGTHS);
     Bounded.atLeast(1, "--seconds", seconds, spec);
     if (sessions != null) {
       Bounded.atLeast(1, "--sessions", sessions, spec);
@@ -80,12 +133,37 @@ final class FuzzCommand implements Callable<Integer> {
     if (queries != null) {
       Bounded.atLeast(1, "--queries", queries, spec);
     }
+    if (impacts == null) {
+      for (String option : SCENES) {
+        if (isGiven(option)) {
+          throw new ParameterException(spec.commandLine(), option + " needs --impacts");
+        }
+      }
+    } else {
+      Bounded.atLeast(100_000, "--impacts", impacts, spec);
+      if (kind != null) {
+        excludeOthers(SCENES);
+      }
+    }
     try {
-      print(queries != null ? ask() : play());
+      if (impacts != null) {
+        soak();
+      } else {
+        print(queries != null ? ask() : play());
+      }
     } catch (FindingException e) {
       throw new IllegalStateException(e.getMessage(), e);
     }
     return 0;
+  }
+
+  /** Refuses two of these options at once. */
+  private void excludeOthers(List<String> options) {
+    List<String> given = options.stream().filter(this::isGiven).toList();
+    if (given.size() > 1) {
+      String both = String.join(" and ", given.subList(0, 2));
+      throw new ParameterException(spec.commandLine(), both + " exclude each other");
+    }
   }
 
   private boolean isGiven(String option) {
@@ -139,5 +217,60 @@ final class FuzzCommand implements Callable<Integer> {
         Counted.of(fuzz.impacts(), "impact"),
         Counted.of(fuzz.flights(), "flight"),
         Counted.of(fuzz.jams(), "circle"));
+  }
+
+  private void soak() throws FindingException, CannotPlaceException {
+    if (kind != null) {
+      print("soak       --scene " + kind + " --seed " + seed);
+      print(run(told -> Soak.run(kind, seed, impacts, told)).render("").stripTrailing());
+      return;
+    }
+    Scene scene = scene();
+    print(
+        "soak       %s--circles %d --seed %d"
+            .formatted(gas ? "--gas " : "", scene.circleCount(), seed));
+    SoakResult result = run(told -> Soak.run(scene, impacts, told));
+    print(result.render().stripTrailing());
+    if (!result.holds()) {
+      throw new IllegalStateException("the run does not hold what it must: see above");
+    }
+  }
+
+  /** A run that tells each of its rounds. */
+  @FunctionalInterface
+  private interface Rounds<T> {
+    T play(IntConsumer told) throws FindingException;
+  }
+
+  private <T> T run(Rounds<T> rounds) throws FindingException {
+    try (Progress progress = Progress.start("fuzz", Soak.ROUNDS)) {
+      RoundsLeft left = new RoundsLeft(progress, spec.commandLine().getErr());
+      return rounds.play(round -> left.tell(round, Soak.ROUNDS));
+    }
+  }
+
+  private Scene scene() throws CannotPlaceException {
+    try {
+      return gas
+          ? new Gas(circles == null ? 1_000 : circles, PACKING, 1, false, seed).scene()
+          : new Crosses(circles == null ? 100 : circles, 50, 10, 1, 10, seed).scene();
+    } catch (IllegalArgumentException e) {
+      throw new ParameterException(spec.commandLine(), e.getMessage(), e);
+    }
+  }
+
+  /** Finds a kind of scene by its name. */
+  static final class Kinds implements ITypeConverter<EndScene.Kind> {
+    @Override
+    public EndScene.Kind convert(String word) {
+      return Arrays.stream(EndScene.Kind.values())
+          .filter(each -> each.toString().equals(word))
+          .findFirst()
+          .orElseThrow(
+              () ->
+                  new TypeConversionException(
+                      "'%s' is none of %s"
+                          .formatted(word, Arrays.toString(EndScene.Kind.values()))));
+    }
   }
 }

@@ -9,12 +9,15 @@ import dev.carom.bench.gas.GasOverlap;
 import dev.carom.bench.gas.GasReplay;
 import dev.carom.bench.gas.GasSteady;
 import dev.carom.bench.replay.Counted;
+import dev.carom.bench.results.Row;
 import java.io.IOException;
-import java.io.PrintWriter;
 import java.nio.file.Path;
+import java.util.List;
 import java.util.Locale;
+import java.util.Map;
 import java.util.concurrent.Callable;
 import picocli.CommandLine.Command;
+import picocli.CommandLine.Mixin;
 import picocli.CommandLine.Model.CommandSpec;
 import picocli.CommandLine.Option;
 import picocli.CommandLine.ParameterException;
@@ -29,7 +32,7 @@ import picocli.CommandLine.Spec;
           + " The published algorithm knows no collisions between circles, so there is"
           + " nothing beside it. Takes seconds."
     },
-    footer = {"", "Example: carom-bench gas --circles 10000 --steady"},
+    footer = {"", "Example: carom-bench measure gas --circles 10000 --steady"},
     mixinStandardHelpOptions = true,
     sortOptions = false)
 final class GasCommand implements Callable<Integer> {
@@ -89,12 +92,14 @@ final class GasCommand implements Callable<Integer> {
   private double frameTime;
 
   @Option(
-      names = "--replays",
+      names = {"--rounds", "--replays"},
       paramLabel = "N",
       defaultValue = "5",
       description =
           "Replays, of which the fastest counts; those before warm up (default: ${DEFAULT-VALUE}).")
-  private int replays;
+  private int rounds;
+
+  @Mixin private RowFiles files;
 
   @Option(
       names = "--steady",
@@ -102,7 +107,7 @@ final class GasCommand implements Callable<Integer> {
       arity = "0..1",
       fallbackValue = "1000000",
       description =
-          "Time the steady state instead: one world, as many rounds as --replays, each of at least"
+          "Time the steady state instead: one world, as many rounds as --rounds, each of at least"
               + " so many collisions (default: ${FALLBACK-VALUE}), after a warm-up of 5 for each"
               + " circle and at least 3,000,000; tells the median, least and most of the rounds.")
   private Integer steady;
@@ -117,22 +122,18 @@ final class GasCommand implements Callable<Integer> {
   public Integer call() throws IOException, CannotPlaceException {
     Bounded.atLeast(1, "--frames", frames, spec);
     Bounded.positive("--frame-time", frameTime, spec);
-    Bounded.atLeast(1, "--replays", replays, spec);
+    Bounded.atLeast(1, "--rounds", rounds, spec);
+    if (steady != null) {
+      Bounded.atLeast(1, "--steady", steady, spec);
+    }
     Scene scene = scene();
+    files.prepare();
     if (save != null) {
       scene.write(save);
     }
-    if (steady != null) {
-      Bounded.atLeast(1, "--steady", steady, spec);
-      print(GasSteady.play(scene, replays, steady));
-      return 0;
-    }
-    GasReplay best = GasReplay.play(scene, frames, frameTime);
-    for (int i = 1; i < replays; i++) {
-      GasReplay next = GasReplay.play(scene, frames, frameTime);
-      best = next.nanos() < best.nanos() ? next : best;
-    }
-    print(best, GasOverlap.deepest(scene, frames, frameTime));
+    String found = steady == null ? replay(scene) : steady(scene);
+    spec.commandLine().getOut().printf("gas      %s%n%s", name(), found);
+    spec.commandLine().getOut().flush();
     return 0;
   }
 
@@ -146,59 +147,80 @@ final class GasCommand implements Callable<Integer> {
     }
   }
 
-  private PrintWriter printGas() {
-    PrintWriter out = spec.commandLine().getOut();
-    out.printf(
-        Locale.ROOT,
-        "gas      --seed %d --circles %d --packing %s --spread %s%s%s%n",
-        seed,
-        circles,
-        Decimals.plain(packing),
-        Decimals.plain(spread),
-        mixed ? " --mixed" : "",
-        heavy ? " --heavy" : "");
-    return out;
+  private String name() {
+    return "--seed %d --circles %d --packing %s --spread %s%s%s"
+        .formatted(
+            seed,
+            circles,
+            Decimals.plain(packing),
+            Decimals.plain(spread),
+            mixed ? " --mixed" : "",
+            heavy ? " --heavy" : "");
   }
 
-  private void print(GasSteady steady) {
-    PrintWriter out = printGas();
-    out.printf(
+  private String steady(Scene scene) throws IOException {
+    GasSteady found = GasSteady.play(scene, rounds, steady);
+    write(
+        row("gas_collision", "median", found.median(), "ns", found.collisions()),
+        row("gas_collision", "min", found.least(), "ns", found.collisions()),
+        row("gas_collision", "max", found.most(), "ns", found.collisions()),
+        row("gas_allocated", "last round", (double) found.bytes(), "bytes", 1));
+    return String.format(
         Locale.ROOT,
-        "run      %s of the steady state, %s in %s%n",
-        Counted.of(steady.frames(), "frame"),
-        Counted.of(steady.collisions(), "collision"),
-        Counted.of(replays, "round"));
-    out.printf(
-        Locale.ROOT,
-        "speed    %,.0f collisions per second, %,.1f ns per collision (%,.1f .. %,.1f)%n",
-        1e9 / steady.median(),
-        steady.median(),
-        steady.least(),
-        steady.most());
-    out.printf(Locale.ROOT, "bytes    %,d allocated in the last round%n", steady.bytes());
-    out.flush();
+        """
+        run      %s of the steady state, %s in %s
+        speed    %,.0f collisions per second, %,.1f ns per collision (%,.1f .. %,.1f)
+        bytes    %,d allocated in the last round
+        """,
+        Counted.of(found.frames(), "frame"),
+        Counted.of(found.collisions(), "collision"),
+        Counted.of(rounds, "round"),
+        1e9 / found.median(),
+        found.median(),
+        found.least(),
+        found.most(),
+        found.bytes());
   }
 
-  private void print(GasReplay best, double overlap) {
-    PrintWriter out = printGas();
-    out.printf(
+  private String replay(Scene scene) throws IOException {
+    GasReplay best = GasReplay.play(scene, frames, frameTime);
+    for (int i = 1; i < rounds; i++) {
+      GasReplay next = GasReplay.play(scene, frames, frameTime);
+      best = next.nanos() < best.nanos() ? next : best;
+    }
+    double overlap = GasOverlap.deepest(scene, frames, frameTime);
+    double perFrame = (double) best.nanos() / frames;
+    write(
+        row("gas_time", "min", perFrame, "ns", frames),
+        row("gas_collisions", "sum", (double) best.collisions(), "1", frames),
+        row("gas_wall_impacts", "sum", (double) best.wallImpacts(), "1", frames),
+        row("gas_energy", "end", best.energyChange(), "1", frames),
+        row("gas_overlap", "max", overlap, "radii", frames));
+    return String.format(
         Locale.ROOT,
-        "run      %s of %s, the fastest of %s%n",
+        """
+        run      %s of %s, the fastest of %s
+        impacts  %,d between circles, %,d with walls
+        speed    %,.0f collisions per second, %,.1f us per frame
+        energy   changed by %.1e of itself
+        overlap  %.1e of a radius at most, at the ends of frames
+        """,
         Counted.of(frames, "frame"),
         Decimals.plain(frameTime),
-        Counted.of(replays, "replay"));
-    out.printf(
-        Locale.ROOT,
-        "impacts  %,d between circles, %,d with walls%n",
+        Counted.of(rounds, "replay"),
         best.collisions(),
-        best.wallImpacts());
-    out.printf(
-        Locale.ROOT,
-        "speed    %,.0f collisions per second, %,.1f us per frame%n",
+        best.wallImpacts(),
         best.collisions() * 1e9 / best.nanos(),
-        best.nanos() / 1e3 / frames);
-    out.printf(Locale.ROOT, "energy   changed by %.1e of itself%n", best.energyChange());
-    out.printf(Locale.ROOT, "overlap  %.1e of a radius at most, at the ends of frames%n", overlap);
-    out.flush();
+        perFrame / 1e3,
+        best.energyChange(),
+        overlap);
+  }
+
+  private Row row(String metric, String stat, double value, String unit, long n) {
+    return new Row("gas: " + name(), "carom", "", metric, stat, value, unit, n, 0);
+  }
+
+  private void write(Row... rows) throws IOException {
+    files.write(Map.of("gas", seed), false, List.of(rows));
   }
 }

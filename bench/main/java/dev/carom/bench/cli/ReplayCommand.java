@@ -6,7 +6,6 @@ import dev.carom.bench.charts.Pictures;
 import dev.carom.bench.experiment.CannotPlaceException;
 import dev.carom.bench.methods.RungCounts;
 import dev.carom.bench.replay.Budget;
-import dev.carom.bench.replay.ReplayJson;
 import dev.carom.bench.replay.ReplayPlan;
 import dev.carom.bench.replay.ReplayResult;
 import dev.carom.bench.replay.ReplayRun;
@@ -14,6 +13,7 @@ import dev.carom.bench.replay.ReplayTable;
 import dev.carom.bench.replay.RunHash;
 import java.io.IOException;
 import java.nio.file.Path;
+import java.util.Map;
 import java.util.concurrent.Callable;
 import org.openjdk.jmh.runner.RunnerException;
 import picocli.CommandLine.Command;
@@ -63,8 +63,7 @@ final class ReplayCommand implements Callable<Integer> {
       description = "How long each of them plays before (default: ${DEFAULT-VALUE}).")
   private int warmUpMillis;
 
-  @Option(names = "--json", paramLabel = "FILE", description = "Write the figures as JSON.")
-  private Path json;
+  @Mixin private RowFiles files;
 
   @Option(
       names = "--pictures",
@@ -87,11 +86,9 @@ final class ReplayCommand implements Callable<Integer> {
     checkHash(plan.scene());
     prepareFolders();
     ReplayResult result = measure(plan);
+    files.write(Map.of(), false, result.rows());
     spec.commandLine().getOut().print(ReplayTable.render(result));
     spec.commandLine().getOut().flush();
-    if (json != null) {
-      ReplayJson.of(result).write(json);
-    }
     if (pictures != null) {
       Pictures.write(
           result.plan().scene(), frames, result.typicalReplay(), Budget.MILLIS, pictures);
@@ -118,9 +115,7 @@ final class ReplayCommand implements Callable<Integer> {
 
   /** Before the long work, not after it: a folder that cannot be made. */
   private void prepareFolders() throws IOException {
-    if (json != null) {
-      OutputFile.prepare(json);
-    }
+    files.prepare();
     if (pictures != null) {
       OutputFile.prepareFolder(pictures);
     }
@@ -130,7 +125,7 @@ final class ReplayCommand implements Callable<Integer> {
     Bounded.atLeast(1, "--frames", frames, spec);
     Bounded.atLeast(1, "--forks", forks, spec);
     Bounded.atLeast(0, "--warm-up", warmUpMillis, spec);
-    OutputFile.expectOther("--json", json, "--scene", scene.file(), spec);
+    files.expectOther("--scene", scene.file());
     Scene measured = scene.scene();
     return new ReplayPlan(scene.name(), measured, scene.others(), frames, forks, warmUpMillis);
   }

@@ -5,10 +5,11 @@ import dev.carom.bench.measures.RungShare;
 import dev.carom.bench.measures.RungSurvey;
 import dev.carom.bench.measures.RungTable;
 import java.io.IOException;
-import java.nio.file.Path;
 import java.util.List;
+import java.util.Map;
 import java.util.concurrent.Callable;
 import picocli.CommandLine.Command;
+import picocli.CommandLine.Mixin;
 import picocli.CommandLine.Model.CommandSpec;
 import picocli.CommandLine.Option;
 import picocli.CommandLine.Spec;
@@ -27,17 +28,6 @@ import picocli.CommandLine.Spec;
     sortOptions = false)
 final class RungsCommand implements Callable<Integer> {
 
-  private static final String[] COLUMNS = {
-    "family",
-    "queries",
-    "plain",
-    "double_double",
-    "exact",
-    "times",
-    "times_double_double",
-    "times_exact"
-  };
-
   @Spec private CommandSpec spec;
 
   @Option(
@@ -54,20 +44,17 @@ final class RungsCommand implements Callable<Integer> {
       description = "Another seed, other queries (default: ${DEFAULT-VALUE}).")
   private long seed;
 
-  @Option(names = "--csv", paramLabel = "FILE", description = "Write the counts as CSV.")
-  private Path csv;
+  @Mixin private RowFiles files;
 
   @Override
   public Integer call() throws IOException {
     Bounded.atLeast(1, "--queries", queries, spec);
-    try (OutputFile file = OutputFile.open(csv, COLUMNS)) {
-      List<RungShare> shares = survey();
-      spec.commandLine().getOut().print(RungTable.render(shares));
-      spec.commandLine().getOut().flush();
-      if (file != null) {
-        write(shares, file);
-      }
-    }
+    files.prepare();
+    List<RungShare> shares = survey();
+    files.write(
+        Map.of("rungs", seed), false, shares.stream().flatMap(s -> s.rows().stream()).toList());
+    spec.commandLine().getOut().print(RungTable.render(shares));
+    spec.commandLine().getOut().flush();
     return 0;
   }
 
@@ -75,20 +62,5 @@ final class RungsCommand implements Callable<Integer> {
     try (Progress progress = Progress.start("rungs", RungSurvey.families())) {
       return RungSurvey.of(queries, seed, progress::step);
     }
-  }
-
-  private static void write(List<RungShare> shares, OutputFile file) throws IOException {
-    for (RungShare s : shares) {
-      file.row(
-          s.family(),
-          s.queries(),
-          s.plain(),
-          s.doubleDouble(),
-          s.exact(),
-          s.times(),
-          s.doubleDoubleTimes(),
-          s.exactTimes());
-    }
-    file.commit();
   }
 }

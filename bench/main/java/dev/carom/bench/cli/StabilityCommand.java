@@ -2,12 +2,9 @@
 package dev.carom.bench.cli;
 
 import dev.carom.bench.report.Figure;
-import dev.carom.bench.report.Origin;
 import dev.carom.bench.report.Report;
-import dev.carom.bench.report.ReportTable;
 import dev.carom.bench.report.StabilityFigures;
 import dev.carom.bench.results.Results;
-import dev.carom.bench.results.ResultsCsv;
 import dev.carom.bench.results.Row;
 import dev.carom.bench.stability.FailureMap;
 import dev.carom.bench.stability.Survey;
@@ -19,6 +16,7 @@ import java.util.List;
 import java.util.Map;
 import java.util.concurrent.Callable;
 import picocli.CommandLine.Command;
+import picocli.CommandLine.Mixin;
 import picocli.CommandLine.Model.CommandSpec;
 import picocli.CommandLine.Option;
 import picocli.CommandLine.ParameterException;
@@ -33,7 +31,7 @@ import picocli.CommandLine.Spec;
           + " judges them: right, drifted, far off, of wrong speed, or escaped. Takes less"
           + " than a minute."
     },
-    footer = {"", "Example: carom-bench stability --quick --map angle --out ."},
+    footer = {"", "Example: carom-bench stability --quick --map angle --pictures ."},
     mixinStandardHelpOptions = true,
     sortOptions = false)
 final class StabilityCommand implements Callable<Integer> {
@@ -50,17 +48,17 @@ final class StabilityCommand implements Callable<Integer> {
   @Option(names = "--quick", description = "Every third value of each axis: seconds.")
   private boolean quick;
 
-  @Option(
-      names = "--out",
-      paramLabel = "DIR",
-      description = "Write each map as PNG and SVG, and all classes as stability.csv.")
-  private Path out;
+  @Option(names = "--pictures", paramLabel = "DIR", description = "Write each map as PNG and SVG.")
+  private Path pictures;
+
+  @Mixin private RowFiles files;
 
   @Override
   public Integer call() throws IOException {
     List<FailureMap> maps = chosen();
-    if (out != null) {
-      OutputFile.prepareFolder(out);
+    files.prepare();
+    if (pictures != null) {
+      OutputFile.prepareFolder(pictures);
     }
     List<Row> rows = new ArrayList<>();
     try (Progress progress = Progress.start("stability", maps.size())) {
@@ -69,13 +67,12 @@ final class StabilityCommand implements Callable<Integer> {
         progress.step(map.name());
       }
     }
-    List<Figure> figures =
-        new StabilityFigures(new Results(Origin.of(Map.of(), "", quick), rows)).figures();
+    Results results = files.write(Map.of(), quick, rows);
+    List<Figure> figures = new StabilityFigures(results).figures();
     figures.forEach(this::print);
-    if (out != null) {
-      ResultsCsv.write(rows, out.resolve("stability.csv"));
+    if (pictures != null) {
       for (Figure figure : figures) {
-        Report.writePictures(figure, out);
+        Report.writePictures(figure, pictures);
       }
     }
     return 0;
@@ -98,22 +95,8 @@ final class StabilityCommand implements Callable<Integer> {
   }
 
   private void print(Figure figure) {
-    PrintWriter printer = spec.commandLine().getOut();
-    ReportTable table = figure.table();
-    printer.println(figure.heading());
-    print(printer, table.head());
-    table.rows().forEach(row -> print(printer, row));
-    printer.println(figure.caption());
-    printer.println();
-    printer.flush();
-  }
-
-  private static void print(PrintWriter printer, List<String> cells) {
-    StringBuilder line = new StringBuilder();
-    int last = cells.size() - 1;
-    for (int i = 0; i < last; i++) {
-      line.append(String.format(i == 0 ? "%-20s" : "%11s", cells.get(i)));
-    }
-    printer.println(line.append("   ").append(cells.get(last)));
+    PrintWriter out = spec.commandLine().getOut();
+    out.printf("%s%n%s%s%n%n", figure.heading(), figure.table().text(), figure.caption());
+    out.flush();
   }
 }

@@ -5,11 +5,15 @@ import dev.carom.Scene;
 import dev.carom.World;
 import dev.carom.bench.examples.SplitWorld;
 import dev.carom.bench.replay.Counted;
-import java.io.PrintWriter;
+import dev.carom.bench.results.Row;
+import java.io.IOException;
 import java.util.Arrays;
+import java.util.List;
 import java.util.Locale;
+import java.util.Map;
 import java.util.concurrent.Callable;
 import java.util.concurrent.ExecutionException;
+import java.util.stream.Stream;
 import picocli.CommandLine.Command;
 import picocli.CommandLine.Mixin;
 import picocli.CommandLine.Model.CommandSpec;
@@ -24,7 +28,10 @@ import picocli.CommandLine.Spec;
       "Its circles must ignore each other. The two take turns. Each thread has a"
           + " world of its own, and all meet after each frame."
     },
-    footer = {"", "Example: carom-bench threads --circles 100000 --crosses 50000 --frames 30"},
+    footer = {
+      "",
+      "Example: carom-bench measure threads --circles 100000 --crosses 50000 --frames 30"
+    },
     mixinStandardHelpOptions = true,
     sortOptions = false)
 final class ThreadsCommand implements Callable<Integer> {
@@ -32,6 +39,8 @@ final class ThreadsCommand implements Callable<Integer> {
   @Spec private CommandSpec spec;
 
   @Mixin private SceneOptions scenes;
+
+  @Mixin private RowFiles files;
 
   @Option(
       names = "--threads",
@@ -59,7 +68,9 @@ final class ThreadsCommand implements Callable<Integer> {
     Bounded.atLeast(1, "--threads", threads, spec);
     Bounded.atLeast(1, "--frames", frames, spec);
     Bounded.atLeast(1, "--rounds", rounds, spec);
+    files.expectOther("--scene", scenes.file());
     Scene scene = scenes.scene();
+    files.prepare();
     World one = new World(scene);
     try (SplitWorld split = new SplitWorld(scene, threads)) {
       double[] alone = new double[rounds];
@@ -74,7 +85,7 @@ final class ThreadsCommand implements Callable<Integer> {
           ratios[i] = a / b;
         }
       }
-      print(alone, together, ratios);
+      tell(alone, together, ratios);
     }
     return 0;
   }
@@ -101,33 +112,54 @@ final class ThreadsCommand implements Callable<Integer> {
     return (sorted[(sorted.length - 1) / 2] + sorted[sorted.length / 2]) / 2;
   }
 
-  private void print(double[] alone, double[] together, double[] ratios) {
+  private void tell(double[] alone, double[] together, double[] ratios) throws IOException {
     Arrays.sort(alone);
     Arrays.sort(together);
     Arrays.sort(ratios);
-    PrintWriter out = spec.commandLine().getOut();
-    out.printf(Locale.ROOT, "scene     %s%n", scenes.name());
-    out.printf(
-        "run       %s of %s each, in turns%n",
-        Counted.of(rounds, "round"), Counted.of(frames, "frame"));
-    print("1 thread", "us per frame", alone);
-    print(Counted.of(threads, "thread"), "us per frame", together);
-    print("ratio", "of a round on one thread to the next one, split", ratios);
-    out.printf(
-        Locale.ROOT, "fastest   %.2f, of the fastest round of each%n", alone[0] / together[0]);
-    out.flush();
-  }
-
-  private void print(String name, String what, double... sorted) {
+    files.write(
+        Map.of(),
+        false,
+        Stream.of(
+                rows("frame_time", "threads=1", "us", alone),
+                rows("frame_time", "threads=" + threads, "us", together),
+                rows("threads_ratio", "threads=" + threads, "1", ratios))
+            .flatMap(List::stream)
+            .toList());
     spec.commandLine()
         .getOut()
         .printf(
             Locale.ROOT,
-            "%-10s%,.2f %s, the median (%,.2f .. %,.2f)%n",
-            name,
-            median(sorted),
-            what,
-            sorted[0],
-            sorted[sorted.length - 1]);
+            "scene     %s%nrun       %s of %s each, in turns%n%s%s%s"
+                + "fastest   %.2f, of the fastest round of each%n",
+            scenes.name(),
+            Counted.of(rounds, "round"),
+            Counted.of(frames, "frame"),
+            line("1 thread", "us per frame", alone),
+            line(Counted.of(threads, "thread"), "us per frame", together),
+            line("ratio", "of a round on one thread to the next one, split", ratios),
+            alone[0] / together[0]);
+    spec.commandLine().getOut().flush();
+  }
+
+  private List<Row> rows(String metric, String knob, String unit, double... sorted) {
+    return List.of(
+        row(metric, knob, "median", median(sorted), unit),
+        row(metric, knob, "min", sorted[0], unit),
+        row(metric, knob, "max", sorted[sorted.length - 1], unit));
+  }
+
+  private Row row(String metric, String knob, String stat, double value, String unit) {
+    return new Row(scenes.name(), "carom", knob, metric, stat, value, unit, rounds, 0);
+  }
+
+  private static String line(String name, String what, double... sorted) {
+    return String.format(
+        Locale.ROOT,
+        "%-10s%,.2f %s, the median (%,.2f .. %,.2f)%n",
+        name,
+        median(sorted),
+        what,
+        sorted[0],
+        sorted[sorted.length - 1]);
   }
 }

@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 package dev.carom.bench.measures;
 
+import dev.carom.bench.results.Row;
+import java.util.List;
+
 /**
  * How many queries each rung of precision answered. A query counts for the highest rung that one of
  * its decisions, or the rounding of its time, needed.
@@ -34,6 +37,22 @@ public record RungShare(
   /** The times that double-double rounded. */
   public long doubleDoubleTimes() {
     return times - exactTimes;
+  }
+
+  /** As rows: the counts, by the names of the rungs. */
+  public List<Row> rows() {
+    return List.of(
+        row("rungs", "asked", queries),
+        row("rungs", "double", plain),
+        row("rungs", "double-double", doubleDouble),
+        row("rungs", "exact", exact),
+        row("rungs_of_times", "asked", times),
+        row("rungs_of_times", "double-double", doubleDoubleTimes()),
+        row("rungs_of_times", "exact", exactTimes));
+  }
+
+  private Row row(String metric, String stat, long count) {
+    return new Row("query:" + family, "carom", "", metric, stat, count, "1", queries, -1);
   }
 
   /** The sum of two counts, with the name of this one. */

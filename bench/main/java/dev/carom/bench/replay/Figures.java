@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 package dev.carom.bench.replay;
 
+import dev.carom.bench.results.Row;
 import java.util.Arrays;
 import java.util.List;
 import java.util.stream.LongStream;
@@ -80,6 +81,28 @@ public record Figures(
         median(forks.stream().mapToDouble(f -> greatest(coldFrames(f).toArray())).toArray()),
         median(forks.stream().mapToDouble(Figures::bytesPerFrame).toArray()),
         median(forks.stream().mapToDouble(Samples::emptyPairNanos).toArray()));
+  }
+
+  /** As rows of a scene. */
+  List<Row> rows(String scene) {
+    return List.of(
+        time(scene, "mean", mean),
+        time(scene, "median", median),
+        time(scene, "p95", p95),
+        time(scene, "p99", p99),
+        time(scene, "worst", worst),
+        time(scene, "worst of all", worstOfAll),
+        row(scene, "over_budget", "frames", (double) framesOverBudget, "1"),
+        row(scene, "impacts", "replay", (double) counts.impacts(), "1"),
+        row(scene, "allocated", "mean", bytesPerFrame, "bytes"));
+  }
+
+  private Row time(String scene, String stat, double micros) {
+    return row(scene, "frame_time", stat, micros * NANOS, "ns");
+  }
+
+  private Row row(String scene, String metric, String stat, double value, String unit) {
+    return new Row(scene, name, "", metric, stat, value, unit, samples, -1);
   }
 
   /** The frames per second that the mean allows: 10^6 / mean. */

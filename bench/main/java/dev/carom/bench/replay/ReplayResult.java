@@ -4,6 +4,7 @@ package dev.carom.bench.replay;
 import dev.carom.bench.methods.Contender;
 import dev.carom.bench.methods.Method;
 import dev.carom.bench.methods.Methods;
+import dev.carom.bench.results.Row;
 import java.util.Arrays;
 import java.util.Comparator;
 import java.util.LinkedHashMap;
@@ -56,6 +57,11 @@ public final class ReplayResult {
    */
   public Figures figures(Contender contender) {
     return figures.get(contender);
+  }
+
+  /** The figures as rows: times of a frame and what it allocates; impacts of one replay. */
+  public List<Row> rows() {
+    return figures.values().stream().flatMap(f -> f.rows(plan.name()).stream()).toList();
   }
 
   /**

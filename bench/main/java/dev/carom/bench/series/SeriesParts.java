@@ -71,7 +71,7 @@ public final class SeriesParts {
 
   private static Part part(String command, double seconds, int fork, List<String> options) {
     List<String> arguments = new ArrayList<>();
-    arguments.addAll(List.of(command, "--turns", Integer.toString(fork)));
+    arguments.addAll(List.of("measure", command, "--turns", Integer.toString(fork)));
     arguments.addAll(options);
     return new CommandPart(command + "/fork-" + fork, seconds, fork, arguments);
   }

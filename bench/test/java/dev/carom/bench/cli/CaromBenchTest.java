@@ -27,7 +27,8 @@ class CaromBenchTest {
 
   static Stream<String> commands() {
     Stream<String> named = CaromBench.commandLine().getSubcommands().keySet().stream();
-    return Stream.concat(Stream.of(""), named.map(name -> name + " "));
+    Stream<String> series = MeasureCommand.SERIES.stream().map(name -> "measure " + name);
+    return Stream.concat(Stream.of(""), Stream.concat(named, series).map(name -> name + " "));
   }
 
   @ParameterizedTest
@@ -51,7 +52,7 @@ class CaromBenchTest {
             .filter(entry -> entry.startsWith("  "))
             .toList();
     assertThat(entries)
-        .hasSizeGreaterThan(14)
+        .hasSize(CaromBench.commandLine().getSubcommands().size())
         .allSatisfy(entry -> assertThat(entry).matches("(?s).*[.?]"));
   }
 
@@ -84,6 +85,12 @@ class CaromBenchTest {
         "simulate --scene a --frames 1 --impacts ./a   | --impacts is ./a: expected another file",
         "simulate --scene a --frames 9 --dt 1e308      | --dt is 1.0E308: expected a finite time",
         "replay --scene a --json ./a    | --json is ./a: expected another file than --scene",
+        "rungs --csv a.b --json ./a.b   | --json is ./a.b: expected another file than --csv",
+        "fuzz --impacts 10              | --impacts is 10: expected at least 100000",
+        "fuzz --gas                     | --gas needs --impacts",
+        "fuzz --impacts 100000 --circles 0 | circles is 0: expected at least 1",
+        "fuzz --impacts 100000 --scene heaps | 'heaps' is none of [trapped, pockets, masses, doors, heap, bumpers, fall, pile, plinko]",
+        "measure                        | Missing required subcommand",
         "replay --speed NaN             | 'NaN' is not a speed, or a range such as 1..10",
         "replay --speed 1..Infinity     | '1..Infinity' is not a speed, or a range such as",
         "hash --frames 2 --long         | --frames and --long exclude each other",
@@ -128,8 +135,20 @@ class CaromBenchTest {
   @Test
   void helpIsACommandToo() {
     assertThat(Cli.run("help")).isEqualTo(Cli.run("--help"));
-    assertThat(Cli.run("help", "soak")).isEqualTo(Cli.run("soak", "--help"));
-    assertThat(Cli.run("soak", "--help").out()).contains("Usage: carom-bench soak");
+    assertThat(Cli.run("help", "fuzz")).isEqualTo(Cli.run("fuzz", "--help"));
+    assertThat(Cli.run("fuzz", "--help").out()).contains("Usage: carom-bench fuzz");
+  }
+
+  @Test
+  void aSeriesIsACommandByItsNameAlone() {
+    assertThat(CaromBench.commandLine().getSubcommands().get("measure").getSubcommands().keySet())
+        .isEqualTo(MeasureCommand.SERIES);
+    for (String series : MeasureCommand.SERIES) {
+      String help = Cli.run("measure", series, "--help").out();
+      assertThat(help).startsWith("Usage: carom-bench measure " + series);
+      assertThat(Cli.run(series, "--help").out()).isEqualTo(help);
+      assertThat(Cli.run("help", series).out()).isEqualTo(help);
+    }
   }
 
   @Test

@@ -4,6 +4,7 @@ package dev.carom.bench.cli;
 import static org.assertj.core.api.Assertions.assertThat;
 
 import dev.carom.Scene;
+import dev.carom.bench.results.ResultsCsv;
 import java.io.IOException;
 import java.nio.file.Path;
 import java.util.regex.Matcher;
@@ -14,8 +15,15 @@ import org.junit.jupiter.api.io.TempDir;
 class GasCommandTest {
 
   @Test
-  void tellsSpeedAndEnergy() {
-    Cli run = Cli.run("gas", "--circles", 50, "--frames", 20, "--replays", 2, "--heavy");
+  void tellsSpeedAndEnergy(@TempDir Path folder) throws IOException {
+    Path csv = folder.resolve("gas.csv");
+    Cli run =
+        Cli.run("gas", "--circles", 50, "--frames", 20, "--replays", 2, "--heavy", "--csv", csv);
+
+    assertThat(ResultsCsv.read(csv))
+        .filteredOn(row -> row.metric().equals("gas_time"))
+        .hasSize(1)
+        .allMatch(row -> row.value() > 0 && row.n() == 20);
 
     assertThat(run.exitCode()).isZero();
     assertThat(run.out().lines())

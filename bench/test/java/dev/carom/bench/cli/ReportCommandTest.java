@@ -89,7 +89,7 @@ class ReportCommandTest {
 
     assertThat(run.exitCode()).isZero();
     assertThat(run.out())
-        .containsPattern("circles +100 {2}carom")
+        .containsPattern("circles +100 +carom")
         .contains("The time of poster grows with the number of lines to the power");
     assertThat(ResultsCsv.read(csv)).extracting(Row::scene).contains("sweep:radius=20");
     assertThat(folder.resolve("sweep.png")).isNotEmptyFile();
@@ -99,6 +99,6 @@ class ReportCommandTest {
   @Test
   void aSweepOfNoReplaysIsRefused() {
     assertThat(Cli.run("sweep", "--replays", 0).err())
-        .contains("--replays is 0: expected at least 1");
+        .contains("--rounds is 0: expected at least 1");
   }
 }

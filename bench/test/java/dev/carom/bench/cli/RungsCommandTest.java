@@ -4,8 +4,9 @@ package dev.carom.bench.cli;
 import static org.assertj.core.api.Assertions.assertThat;
 
 import dev.carom.bench.measures.RungSurvey;
+import dev.carom.bench.results.ResultsCsv;
+import dev.carom.bench.results.Row;
 import java.io.IOException;
-import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.List;
 import org.junit.jupiter.api.Test;
@@ -32,23 +33,13 @@ class RungsCommandTest {
 
     assertThat(Cli.run("rungs", "--queries", 50, "--csv", file).exitCode()).isZero();
 
-    List<String> rows = Files.readAllLines(file);
-    assertThat(rows.get(0))
-        .isEqualTo(
-            "family,queries,plain,double_double,exact,times,times_double_double,times_exact");
-    assertThat(rows).hasSize(1 + RungSurvey.families());
-    for (String row : rows.subList(1, rows.size())) {
-      String[] fields = row.split(",", -1);
-      assertThat(sum(fields, 2, 3, 4)).as(row).isEqualTo(50);
-      assertThat(sum(fields, 6, 7)).as(row).isEqualTo(sum(fields, 5));
+    List<Row> rows = ResultsCsv.read(file);
+    assertThat(rows).hasSize(7 * RungSurvey.families());
+    for (int i = 0; i < rows.size(); i += 7) {
+      double[] counts = rows.subList(i, i + 7).stream().mapToDouble(Row::value).toArray();
+      assertThat(counts[0]).as("%s", rows.get(i)).isEqualTo(50);
+      assertThat(counts[1] + counts[2] + counts[3]).as("%s", rows.get(i)).isEqualTo(50);
+      assertThat(counts[5] + counts[6]).as("%s", rows.get(i)).isEqualTo(counts[4]);
     }
-  }
-
-  private static long sum(String[] fields, int... columns) {
-    long sum = 0;
-    for (int column : columns) {
-      sum += Long.parseLong(fields[column]);
-    }
-    return sum;
   }
 }

@@ -16,7 +16,16 @@ class StabilityCommandTest {
 
   @Test
   void aMapIsPrintedAndDrawn() throws IOException {
-    Cli run = Cli.run("stability", "--quick", "--map", "mass", "--out", folder.resolve("new"));
+    Cli run =
+        Cli.run(
+            "stability",
+            "--quick",
+            "--map",
+            "mass",
+            "--pictures",
+            folder.resolve("new"),
+            "--csv",
+            folder.resolve("new/stability.csv"));
 
     assertThat(run.exitCode()).isZero();
     assertThat(run.out())

@@ -3,20 +3,16 @@ package dev.carom.bench.replay;
 
 import static org.assertj.core.api.Assertions.assertThat;
 
-import com.fasterxml.jackson.databind.JsonNode;
-import com.fasterxml.jackson.databind.json.JsonMapper;
 import dev.carom.Scene;
 import dev.carom.bench.experiment.CannotPlaceException;
 import dev.carom.bench.experiment.Crosses;
 import dev.carom.bench.methods.Methods;
-import java.io.IOException;
-import java.nio.file.Path;
+import dev.carom.bench.results.Row;
 import java.util.Arrays;
 import java.util.List;
 import java.util.Map;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
-import org.junit.jupiter.api.io.TempDir;
 
 class ReplayResultTest {
 
@@ -44,42 +40,13 @@ class ReplayResultTest {
   }
 
   @Test
-  void jsonHasTheFieldsThatOthersReadAndNoMore(@TempDir Path folder) throws IOException {
-    Path file = folder.resolve("figures.json");
-    ReplayJson.of(result).write(file);
-
-    JsonNode json = JsonMapper.builder().build().readTree(file.toFile());
-
-    assertThat(json.fieldNames())
-        .toIterable()
-        .containsExactly(
-            "scene",
-            "frames",
-            "budget_ms",
-            "published_fps",
-            "methods",
-            "ratio_to_poster",
-            "machine");
-    assertThat(json.get("machine").fieldNames())
-        .toIterable()
-        .containsExactly("cpu", "jdk", "flags");
-    assertThat(json.get("methods").get(0).fieldNames())
-        .toIterable()
-        .containsExactly(
-            "name",
-            "impacts",
-            "mean_us",
-            "median_us",
-            "p95_us",
-            "p99_us",
-            "worst_us",
-            "frames_over_budget",
-            "fps",
-            "alloc_bytes_per_frame");
-    assertThat(json.get("published_fps").asDouble()).isEqualTo(19.2);
-    assertThat(json.get("ratio_to_poster").asDouble()).isEqualTo(50);
-    assertThat(json.get("methods").get(0).get("median_us").asDouble()).isEqualTo(2);
-    assertThat(json.get("methods").get(1).get("name").asText()).isEqualTo("poster");
+  void itsRowsAreTheFiguresOfEachMethod() {
+    assertThat(result.rows())
+        .hasSize(18)
+        .contains(
+            new Row(result.plan().name(), "carom", "", "frame_time", "median", 2_000, "ns", 9, -1))
+        .extracting(Row::method)
+        .containsOnly("carom", "poster");
   }
 
   @Test
@@ -102,7 +69,6 @@ class ReplayResultTest {
     ReplayResult pair = new ReplayResult(plan, Map.of(Methods.CAROM, samples(2_000)), MACHINE);
 
     assertThat(pair.ratioToPoster()).isEmpty();
-    assertThat(ReplayJson.of(pair).ratioToPoster()).isNull();
     assertThat(ReplayTable.render(pair))
         .contains("BUDGET MET")
         .contains("it does not replay this scene.")
