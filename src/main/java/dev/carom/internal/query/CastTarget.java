@@ -16,15 +16,6 @@ final class CastTarget {
 
   private static final double NEVER = Double.POSITIVE_INFINITY;
 
-  /** Doubles of a row: x, y, radius, vx, vy, gx, gy, and one to fill 64 bytes. */
-  static final int ROW = 8;
-
-  // The columns of the velocity and of the acceleration.
-  static final int VX = 3;
-  static final int GX = 5;
-
-  private final Hit hit = new Hit();
-
   double x;
   double y;
   double r;
@@ -45,29 +36,6 @@ final class CastTarget {
     gx = circles.gx(slot);
     gy = circles.gy(slot);
     return this;
-  }
-
-  /** Loads a circle from a row at k. */
-  CastTarget load(double[] rows, int k) {
-    x = rows[k];
-    y = rows[k + 1];
-    r = rows[k + 2];
-    vx = rows[k + 3];
-    vy = rows[k + 4];
-    gx = rows[k + 5];
-    gy = rows[k + 6];
-    return this;
-  }
-
-  /** Saves the circle to a row at k. */
-  void save(double[] rows, int k) {
-    rows[k] = x;
-    rows[k + 1] = y;
-    rows[k + 2] = r;
-    rows[k + 3] = vx;
-    rows[k + 4] = vy;
-    rows[k + 5] = gx;
-    rows[k + 6] = gy;
   }
 
   boolean isFalling() {
@@ -114,8 +82,12 @@ final class CastTarget {
         : RealRoot.of(exactTime(m, itsContact));
   }
 
-  /** The hit at a cast's first contact; always the same object if this circle does not fall. */
-  Hit hit(MovingCircle m) {
+  /**
+   * The hit at a cast's first contact.
+   *
+   * @param hit what is set and returned if this circle does not fall
+   */
+  Hit hit(MovingCircle m, Hit hit) {
     double t = m.cleared;
     return isFalling()
         ? hit.of(fall(m), m.contact, t)

@@ -4,6 +4,7 @@ package dev.carom.internal.query;
 import dev.carom.internal.search.BoxTree;
 import dev.carom.internal.state.CircleRegistry;
 import dev.carom.internal.state.CircleTable;
+import java.util.function.ToDoubleFunction;
 
 /**
  * An index of the circles of a world where they are now: a {@link BoxTree} of their slots, and how
@@ -31,7 +32,7 @@ final class CircleIndex {
   private long tested;
 
   /** The circles as they are now, in the order of the tree. */
-  private double[] rows;
+  private CastTarget[] targets;
 
   /** The boxes of the velocities in each node of the tree. */
   private double[] velocities;
@@ -71,29 +72,30 @@ final class CircleIndex {
       BoxTree.put(boxes, k, circle.x, circle.y, circle.x, circle.y, circle.r);
     }
     tree = new BoxTree(slots, boxes);
-    rows = new double[slots.length * CastTarget.ROW];
+    targets = new CastTarget[slots.length];
     boolean falls = false;
     for (int k = 0; k < slots.length; k++) {
-      circle.load(circles, tree.item(k), now).save(rows, k * CastTarget.ROW);
-      falls |= circle.isFalling();
+      targets[k] = new CastTarget().load(circles, tree.item(k), now);
+      falls |= targets[k].isFalling();
     }
-    velocities = nodes(boxes, CastTarget.VX);
-    accelerations = falls ? nodes(boxes, CastTarget.GX) : null;
+    velocities = nodes(boxes, each -> each.vx, each -> each.vy);
+    accelerations = falls ? nodes(boxes, each -> each.gx, each -> each.gy) : null;
   }
 
   /** The boxes of the nodes of the tree around a vector of each circle. */
-  private double[] nodes(double[] boxes, int column) {
-    for (int k = 0; k < tree.size(); k++) {
-      int at = k * CastTarget.ROW + column;
-      System.arraycopy(rows, at, boxes, k * BoxTree.BOX, 2);
-      System.arraycopy(rows, at, boxes, k * BoxTree.BOX + BoxTree.RIGHT, 2);
+  private double[] nodes(
+      double[] boxes, ToDoubleFunction<CastTarget> x, ToDoubleFunction<CastTarget> y) {
+    for (int k = 0; k < targets.length; k++) {
+      double vx = x.applyAsDouble(targets[k]);
+      double vy = y.applyAsDouble(targets[k]);
+      BoxTree.put(boxes, k, vx, vy, vx, vy, 0);
     }
     return tree.nodes(boxes);
   }
 
-  /** Loads the circle at a place of the order of the tree. */
-  CastTarget load(int place, CastTarget circle) {
-    return circle.load(rows, place * CastTarget.ROW);
+  /** The circle at a place of the order of the tree. */
+  CastTarget circle(int place) {
+    return targets[place];
   }
 
   /** Whether a circle is there, and not beyond the range of doubles. */

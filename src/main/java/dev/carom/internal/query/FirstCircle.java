@@ -21,10 +21,15 @@ final class FirstCircle implements BoxTree.First {
   private final CircleRegistry registry;
   private final CircleIndex index;
   private final CastReach reach = new CastReach();
-  private final CastTarget target = new CastTarget();
+  private final CastTarget loaded = new CastTarget();
 
   /** The circle that was found before, where it has to be compared exactly. */
   private final CastTarget found = new CastTarget();
+
+  private final Hit hit = new Hit();
+
+  /** The circle that is tested. */
+  private CastTarget target = loaded;
 
   // The cast.
   private MovingCircle m;
@@ -57,7 +62,7 @@ final class FirstCircle implements BoxTree.First {
     for (int i = 0; i < present.size(); i++) {
       int slot = present.get(i);
       if (index.isThere(slot, now)) {
-        target.load(circles, slot, now);
+        target = loaded.load(circles, slot, now);
         test(slot);
       }
     }
@@ -75,7 +80,7 @@ final class FirstCircle implements BoxTree.First {
 
   @Override
   public void look(int place) {
-    index.load(place, target);
+    target = index.circle(place);
     if (target.isFalling() ? !(reach.entry(target) > limit()) : target.mayBeHit(m)) {
       test(index.tree().item(place));
     }
@@ -131,6 +136,6 @@ final class FirstCircle implements BoxTree.First {
   }
 
   Hit hit(MovingCircle cast, double present) {
-    return target.load(circles, Codes.slot(cast.next), present).hit(cast);
+    return loaded.load(circles, Codes.slot(cast.next), present).hit(cast, hit);
   }
 }
