@@ -120,14 +120,12 @@ abstract class PlainState {
 
   /** Here each circle has its id for a slot, whatever was removed. */
   private static CircleRegistry copy(CircleRegistry registry, int end) {
-    double[] masses = IntStream.range(0, end).mapToDouble(registry::mass).toArray();
-    byte[] traits = new byte[end];
+    CircleRegistry copy = new CircleRegistry(IntStream.range(0, end).toArray(), end);
     for (int i = 0; i < end; i++) {
-      traits[i] = (byte) registry.traits(i);
+      copy.setMass(i, registry.mass(i));
+      copy.setTraits(i, registry.traits(i));
+      copy.setFilter(i, registry.filter(i));
     }
-    long[] filters = IntStream.range(0, end).mapToLong(registry::filter).toArray();
-    CircleRegistry copy =
-        new CircleRegistry(masses, traits, filters, IntStream.range(0, end).toArray(), end);
     IntStream.range(0, end).filter(i -> !registry.contains(i)).forEach(copy::remove);
     return copy;
   }

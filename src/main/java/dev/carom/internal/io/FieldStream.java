@@ -76,10 +76,9 @@ final class FieldStream {
   double[] numbers(double[] given, int rows, int width) throws IOException {
     DoubleList read = new DoubleList();
     for (long k = 0; k < (long) rows * width; k++) {
-      if (in == null) {
-        out.writeDouble(given[(int) k]);
-      } else {
-        read.add(in.readDouble());
+      double number = number(in == null ? given[(int) k] : 0);
+      if (in != null) {
+        read.add(number);
       }
     }
     return in == null ? given : read.toArray();
@@ -89,10 +88,9 @@ final class FieldStream {
   int[] integers(int[] given, int rows, int width) throws IOException {
     IntList read = new IntList();
     for (long k = 0; k < (long) rows * width; k++) {
-      if (in == null) {
-        out.writeInt(given[(int) k]);
-      } else {
-        read.add(in.readInt());
+      int integer = integer(in == null ? given[(int) k] : 0);
+      if (in != null) {
+        read.add(integer);
       }
     }
     return in == null ? given : read.toArray();

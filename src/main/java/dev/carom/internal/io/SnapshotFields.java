@@ -132,15 +132,17 @@ final class SnapshotFields {
     int count = f.count(given.count(), idLimit);
     int[] ids = f.integers(given.ids(), count, 1);
     SnapshotChecks.ids(ids, idLimit);
-    ByteArrayOutputStream traits = new ByteArrayOutputStream();
-    DoubleList masses = new DoubleList();
+    CircleRegistry circles = new CircleRegistry(ids, idLimit);
     for (int i = 0; i < count; i++) {
       boolean isGiven = i < given.count();
-      traits.write(f.octet(isGiven ? given.traits(i) : 0));
-      masses.add(f.number(isGiven ? given.mass(i) : 0));
+      circles.setTraits(i, f.octet(isGiven ? given.traits(i) : 0));
+      circles.setMass(i, f.number(isGiven ? given.mass(i) : 0));
     }
     long[] filters = filters(given.filters(), count);
-    return new CircleRegistry(masses.toArray(), traits.toByteArray(), filters, ids, idLimit);
+    for (int i = 0; filters != null && i < count; i++) {
+      circles.setFilter(i, filters[i]);
+    }
+    return circles;
   }
 
   /** All columns; of those that no circle needs, only that they are missing. */

@@ -54,7 +54,7 @@ public final class CircleRegistry {
 
   /** Creates a registry of no circles. */
   CircleRegistry() {
-    this(new double[0], null, null, new int[0], 0);
+    this(new int[0], 0);
   }
 
   public CircleRegistry(SceneData scene, double slack) {
@@ -71,15 +71,14 @@ public final class CircleRegistry {
   }
 
   /**
-   * Creates a registry of circles with the given ids, which are ascending and below the limit.
-   *
-   * @param traits null if none has any
-   * @param filters null if each is the default
+   * Creates a registry of circles of mass 1 without traits, with the given ids, which are ascending
+   * and below the limit.
    */
-  public CircleRegistry(double[] masses, byte[] traits, long[] filters, int[] ids, int idLimit) {
+  public CircleRegistry(int[] ids, int idLimit) {
     slack = EngineOptions.CHOSEN.slack();
-    this.masses = masses;
-    this.traits = TraitColumns.of(traits, filters);
+    masses = new double[ids.length];
+    Arrays.fill(masses, 1);
+    traits = new TraitColumns();
     assign(ids, idLimit);
   }
 

@@ -225,11 +225,14 @@ public final class TimelineRecorder {
     Settings then = settings.at(t);
     ObstacleTable itsObstacles = obstacleHistory.at(t, then.restitution, then.traits, then.filter);
     int[] ids = tracks.idsAt(t);
-    CircleRegistry circles = registry(ids, t);
+    CircleRegistry circles = new CircleRegistry(ids, tracks.idLimitAt(t));
     FlightTable flights = new FlightTable(ids.length);
     double tail = tails.getOrDefault(t, 0.0);
     for (int k = 0; k < ids.length; k++) {
-      load(ids[k], t, circles, itsObstacles.haveSensors());
+      CircleProperties its = load(ids[k], t, circles, itsObstacles.haveSensors());
+      circles.setMass(k, its.mass());
+      circles.setTraits(k, its.traits());
+      circles.setFilter(k, its.filter());
       flights.put(k, loaded);
       tail = Math.max(tail, collide ? tail(loaded, t) : 0);
     }
@@ -245,22 +248,9 @@ public final class TimelineRecorder {
         then.gy);
   }
 
-  private CircleRegistry registry(int[] ids, double t) {
-    double[] masses = new double[ids.length];
-    byte[] traits = new byte[ids.length];
-    long[] filters = new long[ids.length];
-    for (int k = 0; k < ids.length; k++) {
-      CircleProperties its = tracks.get(ids[k]).load(t, loaded);
-      masses[k] = its.mass();
-      traits[k] = (byte) its.traits();
-      filters[k] = its.filter();
-    }
-    return new CircleRegistry(masses, traits, filters, ids, tracks.idLimitAt(t));
-  }
-
-  /** Loads a circle as it was at a time, among those that existed then. */
-  private void load(int id, double t, CircleRegistry circles, boolean sensors) {
-    tracks.get(id).load(t, loaded);
+  /** Loads a circle as it was at a time, among those that existed then; returns its properties. */
+  private CircleProperties load(int id, double t, CircleRegistry circles, boolean sensors) {
+    CircleProperties its = tracks.get(id).load(t, loaded);
     if (Codes.isCircle(loaded.last) && circles.slot(Codes.slot(loaded.last)) < 0) {
       loaded.last = MovingCircle.NOTHING;
     }
@@ -270,5 +260,6 @@ public final class TimelineRecorder {
     if (sensors) { // all contacts with sensors by then were reported, see StaticScene
       loaded.forgetPrediction(loaded.latestBy(t), Integer.MAX_VALUE);
     }
+    return its;
   }
 }

@@ -39,9 +39,7 @@ class IdLimitTest {
     scene.circle(20, 50, 3, 4, 0).circle(50, 50, 3, 0, 0).circle(80, 50, 3, -4, 1);
     World world = new World(scene.build());
     WorldState s = Internals.state(world.snapshot());
-    CircleRegistry registry =
-        new CircleRegistry(
-            new double[] {1, 2, 3}, new byte[3], null, new int[] {0, 7, idLimit - 1}, idLimit);
+    CircleRegistry registry = new CircleRegistry(new int[] {0, 7, idLimit - 1}, idLimit);
     world.restore(
         Internals.snapshot(
             new WorldState(
