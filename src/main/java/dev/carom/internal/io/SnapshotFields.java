@@ -13,12 +13,9 @@ import dev.carom.internal.state.SceneDataBuilder;
 import dev.carom.internal.state.SizeLimits;
 import dev.carom.internal.state.WorldState;
 import dev.carom.internal.util.Check;
-import dev.carom.internal.util.DoubleList;
 import dev.carom.internal.util.Kind;
-import java.io.ByteArrayOutputStream;
 import java.io.IOException;
 import java.util.ArrayList;
-import java.util.Arrays;
 import java.util.List;
 import java.util.stream.LongStream;
 
@@ -85,40 +82,39 @@ final class SnapshotFields {
   private ObstacleTable obstacles(ObstacleTable given) throws IOException {
     boolean bounded = f.flag(given.walls != null);
     double[] walls = bounded ? f.numbers(given.walls, 1, Codes.WALLS) : null;
-    double restitution = f.number(given.boundsRestitution);
-    int traits = f.octet(given.boundsTraits);
-    long filter = f.bits(given.filter(Codes.LEFT));
-    ObstacleRows[] rows = new ObstacleRows[given.kinds.size()];
-    for (int i = 0; i < rows.length; i++) {
-      rows[i] = rows(given.kinds.get(i));
+    ObstacleTable obstacles = ObstacleTable.empty(walls);
+    obstacles.setRestitution(Codes.LEFT, f.number(given.boundsRestitution));
+    obstacles.setTraits(Codes.LEFT, f.octet(given.boundsTraits));
+    obstacles.setFilter(Codes.LEFT, f.bits(given.filter(Codes.LEFT)));
+    for (ObstacleRows rows : given.kinds) {
+      rows(rows, obstacles);
     }
-    ObstacleTable obstacles = ObstacleTable.of(walls, restitution, traits, filter, rows);
     obstacles.setMotions(motions(given.motions(), obstacles.size()));
     return obstacles;
   }
 
-  private ObstacleRows rows(ObstacleRows given) throws IOException {
+  private void rows(ObstacleRows given, ObstacleTable obstacles) throws IOException {
     int kind = given.kind();
     int count = f.count(given.count(), Codes.limit(kind));
-    ByteArrayOutputStream traits = new ByteArrayOutputStream();
-    DoubleList rows = new DoubleList();
-    double[] gone = new double[ObstacleTable.width(kind)];
-    Arrays.fill(gone, Double.NaN);
+    double[] none = new double[ObstacleTable.width(kind)];
     for (int i = 0; i < count; i++) {
       int code = given.first() + i;
       boolean isGiven = i < given.count() && !given.isGone(code);
-      int its = f.octet(isGiven ? given.traits(code) : GONE);
-      traits.write(its == GONE ? 0 : its);
-      if (its == GONE) {
-        rows.add(gone);
+      int traits = f.octet(isGiven ? given.traits(code) : GONE);
+      if (traits == GONE) {
+        obstacles.remove(obstacles.add(kind, none));
       } else {
-        double[] row = f.numbers(isGiven ? given.row(code) : gone, 1, gone.length);
+        double[] row = f.numbers(isGiven ? given.row(code) : none, 1, none.length);
         ObstacleTable.checkRow(kind, i, row);
-        rows.add(row);
+        obstacles.add(kind, row);
+        obstacles.setRestitution(code, row[row.length - 1]);
+        obstacles.setTraits(code, traits);
       }
     }
     long[] filters = filters(given.filters(), count);
-    return ObstacleTable.rows(kind, rows.toArray(), traits.toByteArray(), filters);
+    for (int i = 0; filters != null && i < count; i++) {
+      obstacles.setFilter(given.first() + i, filters[i]);
+    }
   }
 
   private ObstacleMotions motions(ObstacleMotions given, int most) throws IOException {

@@ -57,28 +57,11 @@ public final class ObstacleRows {
     width = shape.row;
     restitution = shape.restitution;
     codeOfRow0 = kind == Kind.LINE ? 0 : first();
-  }
-
-  /**
-   * A table of given obstacles. A row of NaN stands for a removed one.
-   *
-   * @param rows their rows, one after the other
-   * @param traits one for each row, null if none has any
-   * @param filters one for each row, null if each is the default
-   */
-  static ObstacleRows of(
-      int kind, ObstacleShape shape, double[] rows, byte[] traits, long[] filters) {
-    ObstacleRows all = new ObstacleRows(kind, shape);
-    int count = rows.length / shape.row;
-    all.end = all.first() + count;
-    all.values = all.withRowsBefore(rows);
-    all.traits = TraitColumns.of(traits, filters);
-    all.present = new LiveCodes(all.first(), count);
-    int gone = gone(rows, shape.row);
-    all.edited = gone > 0;
-    all.present.removed(gone, all::isGone);
-    all.countSpecials();
-    return all;
+    end = first();
+    values = new double[offset(end)];
+    Arrays.fill(values, Double.NaN);
+    traits = new TraitColumns();
+    present = new LiveCodes(end, 0);
   }
 
   /** A copy. */
@@ -101,29 +84,6 @@ public final class ObstacleRows {
     present = other.present;
     specials = other.specials;
     sensors = other.sensors;
-  }
-
-  /** The rows, with rows of NaN before them for codes of other kinds. */
-  private double[] withRowsBefore(double[] rows) {
-    int before = offset(first());
-    double[] all = new double[before + rows.length];
-    Arrays.fill(all, 0, before, Double.NaN);
-    System.arraycopy(rows, 0, all, before, rows.length);
-    return all;
-  }
-
-  private static int gone(double[] rows, int width) {
-    int gone = 0;
-    for (int k = 0; k < rows.length; k += width) {
-      gone += Double.isNaN(rows[k]) ? 1 : 0;
-    }
-    return gone;
-  }
-
-  private void countSpecials() {
-    for (int code = first(); traits.areFlagged() && code < end; code++) {
-      countSpecial(traits(code), 1);
-    }
   }
 
   private void countSpecial(int ofOne, int one) {

@@ -67,57 +67,18 @@ public final class ObstacleTable {
     }
   }
 
-  /**
-   * A table of obstacles that were read or built.
-   *
-   * @param rows the obstacles of each kind but walls, in the order of the kinds
-   */
-  public static ObstacleTable of(
-      double[] walls,
-      double boundsRestitution,
-      int boundsTraits,
-      long boundsFilter,
-      ObstacleRows... rows) {
-    ObstacleTable all = new ObstacleTable(walls, rows);
-    all.boundsRestitution = boundsRestitution;
-    all.boundsTraits = boundsTraits;
-    all.boundsFilter = boundsFilter;
-    all.countSpecials();
-    return all;
-  }
-
-  /**
-   * The obstacles of a kind.
-   *
-   * @param rows their rows, one after the other
-   * @param traits one for each row, null if none has any
-   * @param filters one for each row, null if each is the default
-   */
-  public static ObstacleRows rows(int kind, double[] rows, byte[] traits, long[] filters) {
-    return ObstacleRows.of(kind, SHAPES[kind], rows, traits, filters);
+  /** A table of no obstacles but walls, given by their coordinates; null for none. */
+  public static ObstacleTable empty(double[] walls) {
+    return new ObstacleTable(
+        walls,
+        kindsOfRows()
+            .mapToObj(kind -> new ObstacleRows(kind, SHAPES[kind]))
+            .toArray(ObstacleRows[]::new));
   }
 
   /** The kinds that have rows, in the order of their codes. */
   public static IntStream kindsOfRows() {
     return IntStream.range(Kind.LINE, SHAPES.length);
-  }
-
-  /** A table of no obstacles. */
-  static ObstacleTable empty() {
-    return of(
-        null,
-        1,
-        0,
-        Filter.DEFAULT,
-        kindsOfRows()
-            .mapToObj(kind -> rows(kind, new double[0], null, null))
-            .toArray(ObstacleRows[]::new));
-  }
-
-  /** A table of the same obstacles in a rectangle, given by the coordinates of its walls. */
-  ObstacleTable within(double[] itsWalls) {
-    ObstacleRows[] rows = kinds.toArray(ObstacleRows[]::new);
-    return of(itsWalls, boundsRestitution, boundsTraits, boundsFilter, rows);
   }
 
   /** The number of doubles in a row of a kind. */
@@ -146,9 +107,13 @@ public final class ObstacleTable {
 
   /** A copy; arrays are shared until one of the two is changed. */
   public ObstacleTable copy() {
-    ObstacleRows[] rows = kinds.stream().map(ObstacleRows::copy).toArray(ObstacleRows[]::new);
-    ObstacleTable copy = of(walls, boundsRestitution, boundsTraits, boundsFilter, rows);
-    copy.motions = motions.shared();
+    return within(walls);
+  }
+
+  /** A copy of all obstacles but walls, with other walls. */
+  ObstacleTable within(double[] itsWalls) {
+    ObstacleTable copy = empty(itsWalls);
+    copy.set(this);
     return copy;
   }
 
@@ -162,7 +127,7 @@ public final class ObstacleTable {
     return walls;
   }
 
-  /** Copies the obstacles of another table with the same walls. */
+  /** Copies the obstacles of another table, its walls apart. */
   public void set(ObstacleTable other) {
     boundsRestitution = other.boundsRestitution;
     boundsTraits = other.boundsTraits;

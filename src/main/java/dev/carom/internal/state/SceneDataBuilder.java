@@ -20,7 +20,7 @@ public final class SceneDataBuilder {
   /** The circles without their motion. */
   final CircleRegistry registry = new CircleRegistry();
 
-  ObstacleTable obstacles = ObstacleTable.empty();
+  ObstacleTable obstacles = ObstacleTable.empty(null);
   public boolean collide;
   double gx;
   double gy;

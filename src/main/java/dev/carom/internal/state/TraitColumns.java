@@ -12,23 +12,6 @@ final class TraitColumns {
   private byte[] flags = new byte[0];
   private long[] filters = new long[0];
 
-  /**
-   * The columns of given things.
-   *
-   * @param flags null if none has any
-   * @param filters null if each is the default
-   */
-  static TraitColumns of(byte[] flags, long[] filters) {
-    TraitColumns all = new TraitColumns();
-    for (int i = 0; flags != null && i < flags.length; i++) {
-      all.setFlags(i, flags[i]);
-    }
-    for (int i = 0; filters != null && i < filters.length; i++) {
-      all.setFilter(i, filters[i]);
-    }
-    return all;
-  }
-
   TraitColumns copy() {
     TraitColumns copy = new TraitColumns();
     copy.flags = flags.clone();

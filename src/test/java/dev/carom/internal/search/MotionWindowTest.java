@@ -13,14 +13,7 @@ import org.junit.jupiter.params.provider.ValueSource;
 /** Pegs of radius 1 in a row, 10 apart, all of which move to the right. */
 class MotionWindowTest {
 
-  private final ObstacleTable obstacles =
-      ObstacleTable.of(
-          null,
-          1,
-          0,
-          0,
-          ObstacleTable.rows(Kind.LINE, new double[0], null, null),
-          ObstacleTable.rows(Kind.PEG, new double[0], null, null));
+  private final ObstacleTable obstacles = ObstacleTable.empty(null);
 
   private final MotionWindow window = new MotionWindow();
 

@@ -126,7 +126,7 @@ class HistoryTest {
 
   @Test
   void aRemovedObstacleIsForgottenAfterTheTimeThatIsKept() {
-    ObstacleTable obstacles = ObstacleTable.empty();
+    ObstacleTable obstacles = ObstacleTable.empty(null);
     int first = obstacles.add(1, 0, 0, 1, 0);
     ObstacleHistory history = new ObstacleHistory(obstacles);
     int second = obstacles.add(1, 0, 5, 1, 5);

@@ -20,7 +20,7 @@ class ObstacleRowsTest {
   }
 
   private static ObstacleRows rows(int kind, int count) {
-    ObstacleRows rows = ObstacleTable.rows(kind, new double[0], null, null);
+    ObstacleRows rows = new ObstacleRows(kind, ObstacleTable.shape(kind));
     for (int i = 0; i < count; i++) {
       rows.add(numbers(kind, 10 * i));
     }
@@ -63,18 +63,20 @@ class ObstacleRowsTest {
 
   @ParameterizedTest
   @ValueSource(ints = {Kind.LINE, Kind.PEG})
-  void whatIsReadIsWhatWasKept(int kind) {
-    ObstacleRows kept = rows(kind, 5);
-    kept.setTraits(kept.first() + 2, SENSOR);
-    kept.remove(kept.first() + 1);
-    double[] values =
-        Arrays.copyOfRange(kept.values, kept.offset(kept.first()), kept.offset(kept.end));
-    ObstacleRows read =
-        ObstacleTable.rows(kind, values, new byte[] {0, 0, (byte) SENSOR, 0, 0}, null);
-    assertThat(read).isEqualTo(kept);
-    assertThat(read.sensors()).isEqualTo(1);
-    assertThat(read.isGone(read.first() + 1)).isTrue();
-    assertThat(read.present().count()).isEqualTo(4);
-    assertThat(read.extent(read.first() + 1)).isZero();
+  void aRemovedObstacleLeavesNothing(int kind) {
+    ObstacleRows rows = rows(kind, 5);
+    rows.setTraits(rows.first() + 1, SENSOR);
+    rows.setTraits(rows.first() + 2, SENSOR);
+    rows.remove(rows.first() + 1);
+    assertThat(rows.sensors()).isEqualTo(1);
+    assertThat(rows.isGone(rows.first() + 1)).isTrue();
+    assertThat(rows.isGone(rows.first() + 2)).isFalse();
+    assertThat(rows.present().count()).isEqualTo(4);
+    assertThat(rows.extent(rows.first() + 1)).isZero();
+    ObstacleRows other = rows(kind, 5);
+    other.remove(other.first() + 1);
+    assertThat(rows).isNotEqualTo(other);
+    other.setTraits(other.first() + 2, SENSOR);
+    assertThat(rows).isEqualTo(other);
   }
 }

@@ -39,7 +39,9 @@ class TraitColumnsTest {
 
   @Test
   void aCopyIsAnotherOne() {
-    TraitColumns traits = TraitColumns.of(new byte[] {0, 2}, new long[] {5, Filter.DEFAULT});
+    TraitColumns traits = new TraitColumns();
+    traits.setFlags(1, 2);
+    traits.setFilter(0, 5);
     TraitColumns copy = traits.copy();
     copy.setFlags(1, 1);
     copy.setFilter(0, 6);
@@ -52,7 +54,8 @@ class TraitColumnsTest {
 
   @Test
   void filtersThatAreAllTheDefaultAreNone() {
-    TraitColumns traits = TraitColumns.of(null, new long[] {Filter.DEFAULT, Filter.DEFAULT, 5});
+    TraitColumns traits = new TraitColumns();
+    traits.setFilter(2, 5);
     assertThat(traits.filters(2)).isNull();
     assertThat(traits.filters(3)).containsExactly(Filter.DEFAULT, Filter.DEFAULT, 5);
     assertThat(traits.filters(40)).hasSize(40).endsWith(Filter.DEFAULT);
