@@ -52,7 +52,7 @@ public record RungShare(
   }
 
   private Row row(String metric, String stat, long count) {
-    return new Row("query:" + family, "carom", "", metric, stat, count, "1", queries, -1);
+    return new Row("query:" + family, "carom", "", metric, stat, (double) count, "1", queries, -1);
   }
 
   /** The sum of two counts, with the name of this one. */
