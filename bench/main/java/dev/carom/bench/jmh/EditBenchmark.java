@@ -10,6 +10,7 @@ import dev.carom.World;
 import dev.carom.bench.experiment.CannotPlaceException;
 import dev.carom.bench.experiment.Crosses;
 import dev.carom.bench.experiment.Gas;
+import dev.carom.bench.experiment.SceneCopy;
 import dev.carom.bench.experiment.Tiles;
 import java.io.ByteArrayInputStream;
 import java.io.ByteArrayOutputStream;
@@ -107,19 +108,9 @@ public class EditBenchmark {
      */
     @Setup(Level.Iteration)
     public void start() throws CannotPlaceException, IOException {
-      SceneBuilder builder = Scene.builder().bounds(0, 0, WIDTH, HEIGHT);
       Scene lines = Crosses.canonical(1).scene();
-      for (int i = 0; i < lines.lineCount(); i++) {
-        var line = lines.line(i);
-        builder.line(line.ax(), line.ay(), line.bx(), line.by());
-      }
       Scene circles = new Crosses(1000, 0, 3, 1, 10, 1).scene();
-      for (int i = 0; i < circles.circleCount(); i++) {
-        var c = circles.circle(i);
-        var v = circles.velocity(i);
-        builder.circle(c.x(), c.y(), c.radius(), v.x(), v.y());
-      }
-      alone = new World(builder.build());
+      alone = new World(SceneCopy.circles(SceneCopy.obstacles(lines), circles).build());
       gas = new World(new Gas(1000, 0.3, 1, false, 1).scene());
       pastOfGas = gas.record(1000);
       alone.step(50);

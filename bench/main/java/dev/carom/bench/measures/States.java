@@ -1,13 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
 package dev.carom.bench.measures;
 
-import dev.carom.Bounds;
-import dev.carom.Circle;
-import dev.carom.Line;
-import dev.carom.ObstacleKind;
 import dev.carom.Scene;
 import dev.carom.SceneBuilder;
 import dev.carom.Vec2;
+import dev.carom.bench.experiment.SceneCopy;
 import dev.carom.bench.reference.Reference;
 import java.util.function.IntFunction;
 
@@ -41,34 +38,10 @@ final class States {
   }
 
   private static Scene with(Scene scene, IntFunction<Vec2> centers, IntFunction<Vec2> velocities) {
-    Vec2 g = scene.gravity();
-    SceneBuilder builder = Scene.builder().collide(scene.collide()).gravity(g.x(), g.y());
-    addObstacles(scene, builder);
+    SceneBuilder builder = SceneCopy.obstacles(scene);
     for (int i = 0; i < scene.circleCount(); i++) {
-      Vec2 c = centers.apply(i);
-      Vec2 v = velocities.apply(i);
-      builder.circle(c.x(), c.y(), scene.circle(i).radius(), v.x(), v.y());
-      builder.restitution(scene.restitution(ObstacleKind.CIRCLE, i)).mass(scene.mass(i));
+      SceneCopy.circle(builder, scene, i, centers.apply(i), velocities.apply(i));
     }
     return builder.build();
-  }
-
-  private static void addObstacles(Scene scene, SceneBuilder builder) {
-    if (scene.bounds().isPresent()) {
-      Bounds b = scene.bounds().get();
-      builder.bounds(b.xmin(), b.ymin(), b.xmax(), b.ymax());
-      builder.restitution(scene.restitution(ObstacleKind.WALL, 0));
-    }
-    for (int k = 0; k < scene.lineCount(); k++) {
-      Line line = scene.line(k);
-      builder.line(line.ax(), line.ay(), line.bx(), line.by());
-      builder.restitution(scene.restitution(ObstacleKind.LINE, k));
-    }
-    for (int k = 0; k < scene.pegCount(); k++) {
-      Circle peg = scene.peg(k);
-      builder
-          .peg(peg.x(), peg.y(), peg.radius())
-          .restitution(scene.restitution(ObstacleKind.PEG, k));
-    }
   }
 }

@@ -2,12 +2,11 @@
 package dev.carom.bench.series;
 
 import dev.carom.Bounds;
-import dev.carom.Circle;
-import dev.carom.Line;
 import dev.carom.Scene;
 import dev.carom.SceneBuilder;
 import dev.carom.Vec2;
 import dev.carom.bench.experiment.CannotPlaceException;
+import dev.carom.bench.experiment.SceneCopy;
 import dev.carom.bench.experiment.Tiles;
 import java.util.SplittableRandom;
 
@@ -29,11 +28,12 @@ final class AmongMovingLines {
   private final Bounds bounds;
   private final double frames;
   private final boolean moves;
-  private final SceneBuilder builder = Scene.builder();
+  private final SceneBuilder builder;
 
   private AmongMovingLines(long seed, int frames, boolean moves) throws CannotPlaceException {
     tiles = new Tiles(SIDE, true, seed).scene();
     bounds = tiles.bounds().orElseThrow();
+    builder = SceneCopy.obstacles(tiles);
     this.frames = frames;
     this.moves = moves;
   }
@@ -49,20 +49,13 @@ final class AmongMovingLines {
   }
 
   private Scene build(long seed) {
-    builder.bounds(bounds.xmin(), bounds.ymin(), bounds.xmax(), bounds.ymax());
-    for (int k = 0; k < tiles.lineCount(); k++) {
-      Line line = tiles.line(k);
-      builder.line(line.ax(), line.ay(), line.bx(), line.by());
-    }
     SplittableRandom random = new SplittableRandom(seed);
     int added = 0;
     while (added < MOVING) {
       added += add(random) ? 1 : 0;
     }
     for (int i = 0; i < tiles.circleCount(); i += EACH) {
-      Circle circle = tiles.circle(i);
-      Vec2 v = tiles.velocity(i);
-      builder.circle(circle.x(), circle.y(), circle.radius(), v.x(), v.y());
+      SceneCopy.circle(builder, tiles, i);
     }
     return builder.build();
   }

@@ -1,17 +1,16 @@
 // SPDX-License-Identifier: Apache-2.0
 package dev.carom.bench.series;
 
-import dev.carom.Circle;
 import dev.carom.Line;
 import dev.carom.Response;
 import dev.carom.Scene;
 import dev.carom.SceneBuilder;
 import dev.carom.Uncertainty;
-import dev.carom.Vec2;
 import dev.carom.World;
 import dev.carom.bench.experiment.CannotPlaceException;
 import dev.carom.bench.experiment.Crosses;
 import dev.carom.bench.experiment.Gas;
+import dev.carom.bench.experiment.SceneCopy;
 import dev.carom.bench.experiment.Tiles;
 import dev.carom.bench.results.Row;
 import java.lang.ref.Reference;
@@ -116,18 +115,21 @@ public final class Features {
   public Features(long seed, long turns) throws CannotPlaceException {
     this.turns = new Turns(turns);
     Scene canonical = Crosses.canonical(seed).scene();
-    uses.add(new Use("circles", part(canonical, false, 0, Response.BOUNCE)));
-    uses.add(new Use("walls", part(canonical, true, 0, Response.BOUNCE)));
-    uses.add(new Use("few-lines", part(canonical, true, FEW_LINES, Response.BOUNCE)));
+    uses.add(new Use("circles", SceneCopy.circles(Scene.builder(), canonical).build()));
+    uses.add(new Use("walls", part(canonical, 0, Response.BOUNCE)));
+    uses.add(new Use("few-lines", part(canonical, FEW_LINES, Response.BOUNCE)));
     uses.add(new Use("lines", canonical));
     int all = canonical.lineCount();
-    uses.add(new Use("sensors", part(canonical, true, all, Response.SENSOR)));
+    uses.add(new Use("sensors", part(canonical, all, Response.SENSOR)));
     uses.add(new Use("masks", masked(canonical)));
     uses.add(new Use("recording", canonical, Keep.PAST, (world, frame) -> {}));
     uses.add(new Use("uncertainty", canonical, Keep.ERRORS, (world, frame) -> {}));
     uses.add(new Use("steering", canonical, Keep.NOTHING, Features::steer));
     uses.add(new Use("moving-line", canonical, Keep.NOTHING, Features::move));
-    uses.add(new Use("collisions", colliding(canonical).build()));
+    uses.add(
+        new Use(
+            "collisions",
+            SceneCopy.circles(SceneCopy.bounds(canonical).collide(true), canonical).build()));
     uses.add(new Use("many-lines", AmongMovingLines.scene(seed, FRAMES, false)));
     uses.add(new Use("moving-lines", AmongMovingLines.scene(seed, FRAMES, true)));
     uses.add(new Use("gravity", falling(canonical, GRAVITY)));
@@ -145,63 +147,32 @@ public final class Features {
 
   /** The same circles and lines under gravity. */
   private static Scene falling(Scene whole, double gravity) {
-    SceneBuilder builder = builder(whole, true).collide(whole.collide()).gravity(0, gravity);
-    for (int k = 0; k < whole.lineCount(); k++) {
-      Line line = whole.line(k);
-      builder.line(line.ax(), line.ay(), line.bx(), line.by());
-    }
-    return circles(builder, whole).build();
+    return SceneCopy.circles(SceneCopy.obstacles(whole).gravity(0, gravity), whole).build();
   }
 
-  private static Scene part(Scene whole, boolean walls, int lines, Response response) {
-    SceneBuilder builder = builder(whole, walls);
+  /** With the walls, and so many of the lines. */
+  private static Scene part(Scene whole, int lines, Response response) {
+    SceneBuilder builder = SceneCopy.bounds(whole);
     for (int k = 0; k < lines; k++) {
-      Line line = whole.line(k);
-      builder.line(line.ax(), line.ay(), line.bx(), line.by()).response(response);
+      SceneCopy.line(builder, whole.line(k)).response(response);
     }
-    return circles(builder, whole).build();
-  }
-
-  private static SceneBuilder colliding(Scene whole) {
-    return circles(builder(whole, true).collide(true), whole);
+    return SceneCopy.circles(builder, whole).build();
   }
 
   /** Two layers: each line, and each circle, is in one of them. */
   private static Scene masked(Scene whole) {
-    SceneBuilder builder = builder(whole, true);
+    SceneBuilder builder = SceneCopy.bounds(whole);
     for (int k = 0; k < whole.lineCount(); k++) {
-      Line line = whole.line(k);
-      builder.line(line.ax(), line.ay(), line.bx(), line.by()).filter(layer(k), layer(k) | 1);
+      SceneCopy.line(builder, whole.line(k)).filter(layer(k), layer(k) | 1);
     }
     for (int i = 0; i < whole.circleCount(); i++) {
-      circle(builder, whole, i).filter(layer(i), layer(i) | 1);
+      SceneCopy.circle(builder, whole, i).filter(layer(i), layer(i) | 1);
     }
     return builder.build();
   }
 
   private static int layer(int i) {
     return 2 << i % 2;
-  }
-
-  private static SceneBuilder builder(Scene whole, boolean walls) {
-    SceneBuilder builder = Scene.builder();
-    if (walls) {
-      whole.bounds().ifPresent(b -> builder.bounds(b.xmin(), b.ymin(), b.xmax(), b.ymax()));
-    }
-    return builder;
-  }
-
-  private static SceneBuilder circles(SceneBuilder builder, Scene whole) {
-    for (int i = 0; i < whole.circleCount(); i++) {
-      circle(builder, whole, i);
-    }
-    return builder;
-  }
-
-  private static SceneBuilder circle(SceneBuilder builder, Scene whole, int i) {
-    Circle circle = whole.circle(i);
-    Vec2 v = whole.velocity(i);
-    return builder.circle(circle.x(), circle.y(), circle.radius(), v.x(), v.y());
   }
 
   /** One circle a frame gets the opposite velocity. */

@@ -2,11 +2,10 @@
 package dev.carom.bench.reference;
 
 import dev.carom.Circle;
-import dev.carom.Line;
-import dev.carom.ObstacleKind;
 import dev.carom.Scene;
 import dev.carom.SceneBuilder;
 import dev.carom.Vec2;
+import dev.carom.bench.experiment.SceneCopy;
 
 /** Derivatives of places by differences of two runs in many digits. */
 final class Differences {
@@ -27,7 +26,7 @@ final class Differences {
 
   /** With values of 24 bits, so that a step of one is what it is called. */
   static Scene moved(Scene scene, int q, double step) {
-    SceneBuilder builder = obstacles(scene);
+    SceneBuilder builder = SceneCopy.obstacles(scene);
     for (int i = 0; i < scene.circleCount(); i++) {
       Circle c = scene.circle(i);
       Vec2 v = scene.velocity(i);
@@ -36,34 +35,9 @@ final class Differences {
         double value = (float) values[k];
         values[k] = 4 * i + k == q ? value * (1 + step) : value;
       }
-      builder
-          .circle(values[0], values[1], c.radius(), values[2], values[3])
-          .mass(scene.mass(i))
-          .restitution(scene.restitution(ObstacleKind.CIRCLE, i));
+      Vec2 center = new Vec2(values[0], values[1]);
+      SceneCopy.circle(builder, scene, i, center, new Vec2(values[2], values[3]));
     }
     return builder.build();
-  }
-
-  private static SceneBuilder obstacles(Scene scene) {
-    SceneBuilder builder =
-        Scene.builder().collide(scene.collide()).gravity(scene.gravity().x(), scene.gravity().y());
-    scene
-        .bounds()
-        .ifPresent(
-            b ->
-                builder
-                    .bounds(b.xmin(), b.ymin(), b.xmax(), b.ymax())
-                    .restitution(scene.restitution(ObstacleKind.WALL, 0)));
-    for (int i = 0; i < scene.lineCount(); i++) {
-      Line l = scene.line(i);
-      builder
-          .line(l.ax(), l.ay(), l.bx(), l.by())
-          .restitution(scene.restitution(ObstacleKind.LINE, i));
-    }
-    for (int i = 0; i < scene.pegCount(); i++) {
-      Circle p = scene.peg(i);
-      builder.peg(p.x(), p.y(), p.radius()).restitution(scene.restitution(ObstacleKind.PEG, i));
-    }
-    return builder;
   }
 }

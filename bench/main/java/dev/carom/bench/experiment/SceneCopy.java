@@ -1,0 +1,75 @@
+// SPDX-License-Identifier: Apache-2.0
+package dev.carom.bench.experiment;
+
+import dev.carom.Circle;
+import dev.carom.Line;
+import dev.carom.ObstacleKind;
+import dev.carom.Scene;
+import dev.carom.SceneBuilder;
+import dev.carom.Vec2;
+
+/**
+ * Parts of a scene in a new one, to which others are added. Copied are places, velocities of
+ * circles, restitutions and masses; not filters, responses and velocities of obstacles.
+ */
+public final class SceneCopy {
+
+  private SceneCopy() {}
+
+  /** The bounds, lines and pegs, the gravity, and whether circles collide. */
+  public static SceneBuilder obstacles(Scene scene) {
+    Vec2 g = scene.gravity();
+    SceneBuilder builder = bounds(scene).collide(scene.collide()).gravity(g.x(), g.y());
+    for (int i = 0; i < scene.lineCount(); i++) {
+      line(builder, scene.line(i)).restitution(scene.restitution(ObstacleKind.LINE, i));
+    }
+    for (int i = 0; i < scene.pegCount(); i++) {
+      Circle peg = scene.peg(i);
+      builder.peg(peg.x(), peg.y(), peg.radius());
+      builder.restitution(scene.restitution(ObstacleKind.PEG, i));
+    }
+    return builder;
+  }
+
+  /** The bounds alone, if it has any. */
+  public static SceneBuilder bounds(Scene scene) {
+    SceneBuilder builder = Scene.builder();
+    scene
+        .bounds()
+        .ifPresent(
+            b ->
+                builder
+                    .bounds(b.xmin(), b.ymin(), b.xmax(), b.ymax())
+                    .restitution(scene.restitution(ObstacleKind.WALL, 0)));
+    return builder;
+  }
+
+  /** Adds a line. */
+  public static SceneBuilder line(SceneBuilder builder, Line line) {
+    return builder.line(line.ax(), line.ay(), line.bx(), line.by());
+  }
+
+  /** Adds all circles. */
+  public static SceneBuilder circles(SceneBuilder builder, Scene scene) {
+    for (int i = 0; i < scene.circleCount(); i++) {
+      circle(builder, scene, i);
+    }
+    return builder;
+  }
+
+  /** Adds one of the circles. */
+  public static SceneBuilder circle(SceneBuilder builder, Scene scene, int i) {
+    Circle circle = scene.circle(i);
+    return circle(builder, scene, i, new Vec2(circle.x(), circle.y()), scene.velocity(i));
+  }
+
+  /** Adds one of the circles, at another place and with another velocity. */
+  public static SceneBuilder circle(
+      SceneBuilder builder, Scene scene, int i, Vec2 center, Vec2 velocity) {
+    double radius = scene.circle(i).radius();
+    return builder
+        .circle(center.x(), center.y(), radius, velocity.x(), velocity.y())
+        .restitution(scene.restitution(ObstacleKind.CIRCLE, i))
+        .mass(scene.mass(i));
+  }
+}
