@@ -24,8 +24,8 @@ import java.util.Optional;
  * that moment, they are those after the edits, and after the impacts that the edits caused at once.
  * Each change of a line or a peg is recorded, too.
  *
- * <p>A flight takes 72 bytes, so the size follows the impacts and not the steps. It is that of as
- * much time as is kept: see {@link World#record World.record}.
+ * <p>A flight takes 72 bytes, 104 under gravity, so the size follows the impacts and not the steps.
+ * It is that of as much time as is kept: see {@link World#record World.record}.
  *
  * <p>A world records its steps and its edits. When a snapshot is restored into it, the recording
  * begins anew. Not safe for use by several threads.

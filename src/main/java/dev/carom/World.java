@@ -1135,8 +1135,9 @@ public final class World {
    *
    * <p>What ended longer ago than the duration is dropped: flights, changes, and removed things. So
    * the memory of a recording is bounded by what happens in that time. A flight takes 72 bytes, and
-   * twice as much while its history grows. A change of a circle's properties within a flight counts
-   * as a flight, and so does a contact with another circle that a sensor reports.
+   * 32 more under gravity, in arrays that may be half empty. A change of a circle's properties
+   * within a flight counts as a flight, and so does a contact with another circle that a sensor
+   * reports.
    *
    * @param duration the time to keep, at least 0; {@code +infinity} to keep all
    * @return the timeline, which goes on as the world does
