@@ -15,10 +15,7 @@ import dev.carom.bench.experiment.Tiles;
 import dev.carom.bench.results.Row;
 import java.lang.ref.Reference;
 import java.util.ArrayList;
-import java.util.LinkedHashMap;
 import java.util.List;
-import java.util.Map;
-import java.util.concurrent.TimeUnit;
 
 /**
  * The cost of each thing that a scene uses: the time of a frame and the memory of a world. The
@@ -202,32 +199,26 @@ public final class Features {
           .filter(use -> use.frames == FRAMES)
           .forEach(use -> rows.add(row(use, MEMORY, "mean", bytes(use), "bytes", WORLDS)));
     }
-    long deadline = System.nanoTime() + TimeUnit.MILLISECONDS.toNanos(warmUpMillis);
-    while (System.nanoTime() < deadline) {
-      uses.forEach(use -> use.play(new int[1]));
-    }
-    Map<Use, double[]> nanos = new LinkedHashMap<>();
-    Map<Use, int[]> impacts = new LinkedHashMap<>();
-    uses.forEach(use -> nanos.put(use, new double[rounds]));
-    for (int i = 0; i < rounds; i++) {
-      int round = i;
-      turns.round(
-          uses,
-          use -> {
-            int[] count = new int[1];
-            long start = System.nanoTime();
-            use.play(count);
-            nanos.get(use)[round] = (double) (System.nanoTime() - start) / use.frames;
-            impacts.put(use, count);
-          });
-    }
-    for (Use use : uses) {
-      double median = SeriesRows.median(nanos.get(use));
-      rows.add(row(use, TIME, "median", median, "ns", (long) rounds * use.frames));
-      double mean = (double) impacts.get(use)[0] / use.frames;
-      rows.add(row(use, IMPACTS, "mean", mean, "1", use.frames));
-    }
+    Turns.warmUp(warmUpMillis, () -> uses.forEach(use -> use.play(new int[1])));
+    turns.rounds(rounds, uses, Features::timed).forEach((use, times) -> add(rows, use, times));
     return rows;
+  }
+
+  /** Nanoseconds of a frame, and impacts of all. */
+  private record Time(double nanos, int impacts) {}
+
+  private static Time timed(Use use) {
+    int[] impacts = new int[1];
+    long start = System.nanoTime();
+    use.play(impacts);
+    return new Time((double) (System.nanoTime() - start) / use.frames, impacts[0]);
+  }
+
+  private static void add(List<Row> rows, Use use, List<Time> times) {
+    double median = SeriesRows.median(times.stream().mapToDouble(Time::nanos).toArray());
+    rows.add(row(use, TIME, "median", median, "ns", (long) times.size() * use.frames));
+    double mean = (double) times.get(0).impacts / use.frames;
+    rows.add(row(use, IMPACTS, "mean", mean, "1", use.frames));
   }
 
   private static Row row(Use use, String metric, String stat, double value, String unit, long n) {

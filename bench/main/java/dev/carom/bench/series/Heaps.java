@@ -9,7 +9,6 @@ import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.List;
 import java.util.Random;
-import java.util.concurrent.TimeUnit;
 
 /**
  * What circles cost that fall on each other until they rest, and what balls cost that fall among
@@ -129,10 +128,7 @@ public final class Heaps {
     List<Row> rows = new ArrayList<>();
     for (Pile pile : piles) {
       double[][] nanos = new double[rounds][pile.frames];
-      long deadline = System.nanoTime() + TimeUnit.MILLISECONDS.toNanos(warmUpMillis);
-      while (System.nanoTime() < deadline) {
-        pile.play(new double[pile.frames]);
-      }
+      Turns.warmUp(warmUpMillis, () -> pile.play(new double[pile.frames]));
       Play last = null;
       for (double[] round : nanos) {
         last = pile.play(round);

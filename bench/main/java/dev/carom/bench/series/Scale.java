@@ -48,13 +48,11 @@ public final class Scale {
   /** The progress of a method in a scene. */
   private static final class Playing {
     private final Method method;
-    private final double[] nanos;
     private long frames;
     private long impacts;
 
-    Playing(Method method, int rounds) {
+    Playing(Method method) {
       this.method = method;
-      nanos = new double[rounds];
     }
 
     /** A round of at least this time, and of at least one frame; the mean time of a frame. */
@@ -107,11 +105,8 @@ public final class Scale {
 
   private void warmUp(Scene scene, List<Contender> contenders) {
     for (Contender contender : contenders) {
-      long end = System.nanoTime() + TimeUnit.MILLISECONDS.toNanos(plan.warmUpMillis());
       try (Method method = contender.start(scene)) {
-        while (System.nanoTime() < end) {
-          method.frame();
-        }
+        Turns.warmUp(plan.warmUpMillis(), method::frame);
       }
     }
   }
@@ -123,16 +118,9 @@ public final class Scale {
     }
     long least = TimeUnit.MILLISECONDS.toNanos(plan.roundMillis());
     turns.round(playing.keySet(), contender -> playing.get(contender).round(least)); // warms up
-    for (int i = 0; i < plan.rounds(); i++) {
-      int round = i;
-      turns.round(
-          playing.keySet(),
-          contender -> {
-            Playing its = playing.get(contender);
-            its.nanos[round] = its.round(least);
-          });
-    }
-    playing.forEach((contender, its) -> end(name, contender, its));
+    turns
+        .rounds(plan.rounds(), playing.keySet(), contender -> playing.get(contender).round(least))
+        .forEach((contender, nanos) -> end(name, contender, playing.get(contender), nanos));
   }
 
   /** Nothing if the first frame took too long. */
@@ -140,7 +128,7 @@ public final class Scale {
     Method method = contender.start(scene);
     long nanos = frame(method);
     if (nanos <= TimeUnit.MILLISECONDS.toNanos(plan.limitMillis())) {
-      return Optional.of(new Playing(method, plan.rounds()));
+      return Optional.of(new Playing(method));
     }
     timedOut.add(contender);
     rows.addTime(name, contender, TIMED_OUT, (double) nanos, 1);
@@ -154,8 +142,9 @@ public final class Scale {
     return System.nanoTime() - start;
   }
 
-  private void end(String name, Contender contender, Playing its) {
-    rows.addTimes(name, contender, "median", SeriesRows.median(its.nanos), its.nanos);
+  private void end(String name, Contender contender, Playing its, List<Double> times) {
+    double[] nanos = times.stream().mapToDouble(Double::doubleValue).toArray();
+    rows.addTimes(name, contender, "median", SeriesRows.median(nanos), nanos);
     if (its.impacts > 0) { // engines do not tell
       rows.addImpacts(name, contender, its.impacts, its.frames);
     }

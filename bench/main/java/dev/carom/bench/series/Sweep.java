@@ -13,7 +13,6 @@ import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.TreeMap;
-import java.util.concurrent.TimeUnit;
 
 /**
  * Plays the scenes of a {@link SweepPlan} by several methods in one process, which take turns in
@@ -78,20 +77,13 @@ public final class Sweep {
   private void warmUp(int millis) throws CannotPlaceException {
     Point last = plan.points().get(plan.points().size() - 1);
     Scene scene = last.crosses().scene();
-    long deadline = System.nanoTime() + TimeUnit.MILLISECONDS.toNanos(millis);
-    while (System.nanoTime() < deadline) {
-      contenders.forEach(contender -> replay(contender, scene));
-    }
+    Turns.warmUp(millis, () -> contenders.forEach(contender -> replay(contender, scene)));
   }
 
   private void measure(Point point) throws CannotPlaceException {
     Scene scene = point.crosses().scene();
-    Map<Contender, double[][]> nanos = new LinkedHashMap<>();
-    contenders.forEach(contender -> nanos.put(contender, new double[plan.replays()][]));
-    for (int i = 0; i < plan.replays(); i++) {
-      int replay = i;
-      turns.round(contenders, contender -> nanos.get(contender)[replay] = replay(contender, scene));
-    }
+    Map<Contender, List<double[]>> nanos =
+        turns.rounds(plan.replays(), contenders, contender -> replay(contender, scene));
     String name = SCENE + point.axis().label() + "=" + point.at();
     boolean sorted = point.axis() == SweepPlan.Axis.RADIUS;
     nanos.forEach((contender, replays) -> add(name, contender, scene, medians(replays), sorted));
@@ -111,11 +103,10 @@ public final class Sweep {
   }
 
   /** The median of each frame over all replays: disturbances by the machine fall on few of them. */
-  private double[] medians(double[][] replays) {
+  private double[] medians(List<double[]> replays) {
     double[] medians = new double[plan.frames()];
     Arrays.setAll(
-        medians,
-        frame -> SeriesRows.median(Arrays.stream(replays).mapToDouble(r -> r[frame]).toArray()));
+        medians, frame -> SeriesRows.median(replays.stream().mapToDouble(r -> r[frame]).toArray()));
     return medians;
   }
 
