@@ -17,11 +17,7 @@ import java.util.Set;
 import org.junit.jupiter.api.Test;
 
 /** Each check sees what it is there for. */
-class ChecksTest {
-
-  private final Rounding rounding = new Rounding();
-  private final MassCheck masses = new MassCheck();
-  private final PassedOver passed = new PassedOver();
+class ChecksTest extends FlightChecks {
 
   private static SceneBuilder box() {
     return Scene.builder().bounds(0, 0, 100, 100).line(50, 20, 50, 80).peg(80, 50, 4);
@@ -30,20 +26,6 @@ class ChecksTest {
   private static Flight flight(double px, double py, double qx, double qy) {
     double speed = Math.hypot(qx - px, qy - py);
     return new Flight(0, 5, 0, 1, px, py, qx, qy, qx - px, qy - py, 0, 0, speed, true);
-  }
-
-  private void check(World world, Flight... flights) throws FindingException {
-    rounding.keepPlace(100);
-    rounding.keepSpeed(100, 100);
-    masses.enter(world);
-    new Crossings(world, rounding, masses, passed)
-        .check(List.of(flights).stream().map(List::of).toList());
-  }
-
-  private void assertFound(String message, World world, Flight... flights) {
-    assertThatThrownBy(() -> check(world, flights))
-        .isInstanceOf(FindingException.class)
-        .hasMessageContaining(message);
   }
 
   @Test

@@ -14,10 +14,7 @@ import java.util.List;
 import org.junit.jupiter.api.Test;
 
 /** Each check sees what it is there for, where circles fall. */
-class ChecksUnderGravityTest {
-
-  private final Rounding rounding = new Rounding();
-  private final PassedOver passed = new PassedOver();
+class ChecksUnderGravityTest extends FlightChecks {
 
   private static SceneBuilder box() {
     SceneBuilder builder = Scene.builder().bounds(0, 0, 100, 100).gravity(0, -8);
@@ -37,21 +34,6 @@ class ChecksUnderGravityTest {
       double px, double py, double vx, double vy, double ay, boolean begins) {
     double qy = py + vy + ay / 2;
     return new Flight(0, 5, 0, 1, px, py, px + vx, qy, vx, vy, 0, ay, Math.abs(vy) + 8, begins);
-  }
-
-  private void check(World world, Flight... flights) throws FindingException {
-    rounding.keepPlace(100);
-    rounding.keepSpeed(100, 100);
-    MassCheck masses = new MassCheck();
-    masses.enter(world);
-    new Crossings(world, rounding, masses, passed)
-        .check(List.of(flights).stream().map(List::of).toList());
-  }
-
-  private void assertFound(String message, World world, Flight... flights) {
-    assertThatThrownBy(() -> check(world, flights))
-        .isInstanceOf(FindingException.class)
-        .hasMessageContaining(message);
   }
 
   /** It is at rest for a moment after half a unit of time, one unit above or below its start. */
