@@ -3,8 +3,8 @@ package dev.carom;
 
 import static org.assertj.core.api.Assertions.assertThat;
 
-import dev.carom.internal.exact.Dyadic;
 import dev.carom.internal.exact.Exact;
+import dev.carom.internal.exact.ExactTime;
 import dev.carom.internal.sweep.Contact;
 import dev.carom.internal.sweep.DiskSweep;
 import dev.carom.internal.sweep.SegmentSweep;
@@ -133,7 +133,7 @@ class WindowEndTest {
                 n[0], n[1], n[2], n[3], n[4], n[5], n[6], n[7], n[8], n[9], n[10]);
         Exact.Disks exact =
             Exact.Disks.of(n[0], n[1], n[2], n[3], n[4], n[5], n[6], n[7], n[8], n[9]);
-        assertTrueOrOpen(n, told, exact.compareTime(Dyadic.of(n[10])));
+        assertTrueOrOpen(n, told, exact.time().compare(ExactTime.of(n[10])));
       }
     }
   }
@@ -175,7 +175,7 @@ class WindowEndTest {
       Exact.Disks exact = exact(n);
       if (exact.gap().sign() > 0) {
         boolean meets = exact.drift().sign() < 0 && exact.discriminant().sign() > 0;
-        double time = meets ? exact.time(n[14]) : FOREVER;
+        double time = meets ? exact.time().upTo(n[14]) : FOREVER;
         assertThat(sphere(n)).as(() -> Arrays.toString(n)).isEqualTo(time);
         apart++;
         meeting += meets ? 1 : 0;
@@ -239,7 +239,7 @@ class WindowEndTest {
           && exact.gap().sign() > 0
           && exact.drift().sign() < 0
           && exact.discriminant().sign() > 0) {
-        assertThat(sphere(n)).as(() -> Arrays.toString(n)).isEqualTo(exact.time(n[14]));
+        assertThat(sphere(n)).as(() -> Arrays.toString(n)).isEqualTo(exact.time().upTo(n[14]));
         hits++;
       }
     }
@@ -362,8 +362,9 @@ class WindowEndTest {
                 n[2],
                 n[3],
                 n[9]);
-        Exact.Side exact = Exact.Side.of(n[4], n[5], n[6], n[7], n[8], n[0], n[1], n[2], n[3]);
-        assertTrueOrOpen(n, told, exact.compareTime(Dyadic.of(n[9])));
+        ExactTime exact =
+            Exact.timeOfSide(n[4], n[5], n[6], n[7], n[8], n[0], n[1], n[2], n[3], 0, 0);
+        assertTrueOrOpen(n, told, exact.compare(ExactTime.of(n[9])));
       }
     }
     assertThat(asked).isGreaterThan(QUESTIONS / 8);

@@ -1,14 +1,13 @@
 // SPDX-License-Identifier: Apache-2.0
 package dev.carom.internal.exact;
 
-
 /**
- * The highest precision: the polynomials of a sweep in exact numbers, and times of impact with any
- * number of digits. Slow (some microseconds) and always right.
+ * The highest precision for straight motions: the polynomials of a sweep in exact numbers. Slow
+ * (some ten microseconds) and always right.
  */
 public final class Exact {
 
-  /** Bits of a time of impact before it is rounded. */
+  /** Bits of a vector's length before a quotient by it is rounded. */
   private static final int BITS = 128;
 
   private Exact() {}
@@ -22,7 +21,7 @@ public final class Exact {
     public static Disks of(
         double x1, double y1, double r1, double vx1, double vy1, double x2, double y2, double r2,
         double vx2, double vy2) {
-      return new Disks(vector(x1, y1, x2, y2), vector(vx1, vy1, vx2, vy2), sum(r1, r2));
+      return of(x1, y1, 0, r1, vx1, vy1, 0, x2, y2, 0, r2, vx2, vy2, 0);
     }
 
     /** Spheres. */
@@ -30,36 +29,14 @@ public final class Exact {
         double x1, double y1, double z1, double r1, double vx1, double vy1, double vz1, double x2,
         double y2, double z2, double r2, double vx2, double vy2, double vz2) {
       return new Disks(
-          vector(x1, y1, x2, y2).above(Dyadic.difference(z1, z2)),
-          vector(vx1, vy1, vx2, vy2).above(Dyadic.difference(vz1, vz2)),
-          sum(r1, r2));
-    }
-
-    /**
-     * The sign of t - m for the time of impact t: -1 if the distance rises at m, else the sign of
-     * the polynomial at m.
-     */
-    public int compareTime(Dyadic m) {
-      if (dot(u, d).plus(u.square().times(m)).sign() > 0) {
-        return -1;
-      }
-      return d.plus(u, m).square().minus(r.square()).sign();
-    }
-
-    /** t = (d.d - r^2) / (-u.d + sqrt((u.u) r^2 - cross(u, d)^2)): all terms positive. */
-    public Dyadic time(int bits) {
-      Dyadic below = dot(u, d).negate().plus(discriminant().sqrt(bits));
-      return gap().over(below, bits);
-    }
-
-    /** t = (-u.d - sqrt((u.u) r^2 - cross(u, d)^2)) / u.u, of disks that are apart. */
-    public ExactTime exactTime() {
-      return new ExactTime(drift().negate(), discriminant(), u.square());
+          vector(x1, y1, z1, x2, y2, z2),
+          vector(vx1, vy1, vz1, vx2, vy2, vz2),
+          Dyadic.of(r1).plus(Dyadic.of(r2)));
     }
 
     /** u.d */
     public Dyadic drift() {
-      return dot(u, d);
+      return u.x.times(d.x).plus(u.y.times(d.y)).plus(u.z.times(d.z));
     }
 
     /** d.d - r^2 */
@@ -72,135 +49,60 @@ public final class Exact {
       return drift().square().minus(u.square().times(gap()));
     }
 
-    /**
-     * The correctly rounded time of impact of disks that are apart and will touch, {@code
-     * +infinity} if that is later than the window's end T.
-     */
-    public double time(double T) {
-      PrecisionCounters.exactTime();
-      double t = time();
-      return t < T || T == Double.POSITIVE_INFINITY || (t == T && compareTime(Dyadic.of(T)) <= 0)
-          ? t
-          : Double.POSITIVE_INFINITY;
-    }
-
-    /** The correctly rounded time of impact of disks that are apart and will touch. */
-    public double time() {
-      Dyadic t = time(BITS);
-      double low = t.floor();
-      return nearer(low, compareTime(middle(low)));
+    /** t = (-u.d - sqrt(discriminant)) / u.u, of disks that are apart and will touch. */
+    public ExactTime time() {
+      return new ExactTime(drift().negate(), discriminant(), u.square());
     }
 
     /** The unit normal at a contact to come: (d + u t) / |d + u t|, or -u / |u| for two points. */
     public UnitVector normal() {
-      if (r.sign() == 0) {
-        return new Vector(u.x.negate(), u.y.negate(), Dyadic.ZERO).unit();
-      }
-      int cancelled = Math.max(0, Math.max(d.magnitude(), r.magnitude()) - r.magnitude());
-      return d.plus(u, time(BITS + cancelled)).unit();
+      return r.sign() == 0
+          ? unit(u.x.negate(), u.y.negate())
+          : RealRoot.of(time()).unit(Polynomial.of(d.x, u.x), Polynomial.of(d.y, u.y));
     }
   }
 
-  /** A moving disk against the side of a line: c = cross(w, d), cv = cross(w, v - u). */
-  public record Side(Dyadic c, Dyadic cv, Dyadic scaledSquare) {
-
-    /** The side for a line at rest. */
-    public static Side of(
-        double px, double py, double r, double vx, double vy, double ax, double ay, double bx,
-        double by) {
-      return of(px, py, r, vx, vy, ax, ay, bx, by, 0, 0);
-    }
-
-    /** The side for a line that moves with the velocity u. */
-    public static Side of(
-        double px, double py, double r, double vx, double vy, double ax, double ay, double bx,
-        double by, double ux, double uy) {
-      Vector w = vector(bx, by, ax, ay);
-      Dyadic c = cross(w, vector(px, py, ax, ay));
-      Dyadic cv = cross(w, vector(vx, vy, ux, uy));
-      return new Side(c.abs(), cv.abs(), w.square().times(Dyadic.of(r).square()));
-    }
-
-    /** The sign of t - m for the time of impact t, where c - cv t = r |w|. */
-    public int compareTime(Dyadic m) {
-      return c.minus(cv.times(m)).signedSquare().minus(scaledSquare).sign();
-    }
-
-    /** t = (c - r |w|) / cv. */
-    public ExactTime exactTime() {
-      return new ExactTime(c, scaledSquare, cv);
-    }
-
-    /** t = (c^2 - r^2 w.w) / ((c + r |w|) cv): all terms positive. */
-    public double time() {
-      Dyadic below = c.plus(scaledSquare.sqrt(BITS)).times(cv);
-      Dyadic t = c.square().minus(scaledSquare).over(below, BITS);
-      double low = t.floor();
-      return nearer(low, compareTime(middle(low)));
-    }
+  /**
+   * The time at which a moving disk hits the side of a line that moves with the velocity u, {@code
+   * t = (c - r |w|) / cv} with c = |cross(w, d)| and cv = |cross(w, v - u)|.
+   */
+  public static ExactTime timeOfSide(
+      double px, double py, double r, double vx, double vy, double ax, double ay, double bx,
+      double by, double ux, double uy) {
+    Vector w = vector(bx, by, 0, ax, ay, 0);
+    Dyadic c = w.cross(vector(px, py, 0, ax, ay, 0)).abs();
+    Dyadic cv = w.cross(vector(vx, vy, 0, ux, uy, 0)).abs();
+    return new ExactTime(c, w.square().times(Dyadic.of(r).square()), cv);
   }
 
-  /** The sign of t - m for a wall: gap - speed t = 0. */
-  public static int compareWallTime(double p, double r, double v, double wall, double m) {
-    return wallGap(p, r, v, wall).minus(Dyadic.of(v).abs().times(Dyadic.of(m))).sign();
-  }
-
-  /** The correctly rounded t = gap / |v| of a disk that is apart from a wall and approaches it. */
-  public static double wallTime(double p, double r, double v, double wall) {
-    Dyadic gap = wallGap(p, r, v, wall);
-    Dyadic speed = Dyadic.of(v).abs();
-    Dyadic t = gap.over(speed, BITS);
-    double low = t.floor();
-    return nearer(low, gap.minus(speed.times(middle(low))).sign());
-  }
-
-  /** |p - wall| - r on the side from which a disk with velocity v comes. */
-  public static Dyadic wallGap(double p, double r, double v, double wall) {
+  /**
+   * The time at which a disk with the velocity v hits a wall, {@code t = (|p - wall| - r) / |v|}.
+   * It is below 0 if it overlaps the wall on the side from which it comes, or is beyond it.
+   */
+  public static ExactTime timeOfWall(double p, double r, double v, double wall) {
     Dyadic s = v < 0 ? Dyadic.difference(p, wall) : Dyadic.difference(wall, p);
-    return s.minus(Dyadic.of(r));
+    return new ExactTime(s.minus(Dyadic.of(r)), Dyadic.ZERO, Dyadic.of(v).abs());
   }
 
   /** (a - b) / |a - b|. */
   public static UnitVector unit(double ax, double ay, double bx, double by) {
-    return vector(ax, ay, bx, by).unit();
+    return unit(Dyadic.difference(ax, bx), Dyadic.difference(ay, by));
   }
 
   /** (x, y) / |(x, y)|. */
   static UnitVector unit(Dyadic x, Dyadic y) {
-    return new Vector(x, y, Dyadic.ZERO).unit();
+    Dyadic length = x.square().plus(y.square()).sqrt(BITS);
+    return new UnitVector(quotient(x, length), quotient(y, length));
   }
 
-  /**
-   * The double nearest to a time t, low or its upper neighbour; a tie goes to the even one. Low is
-   * the largest double at or below an approximation of t to 120 bits, so t is at most that little
-   * below it.
-   *
-   * @param sign that of t less the middle between the neighbours
-   */
-  private static double nearer(double low, int sign) {
-    boolean even = (Double.doubleToRawLongBits(low) & 1) == 0;
-    return sign < 0 || (sign == 0 && even) ? low : Math.nextUp(low);
+  private static double quotient(Dyadic a, Dyadic length) {
+    return a.sign() == 0 ? 0 : a.sign() * a.abs().over(length, BITS).floor();
   }
 
-  /** Halfway between a double at or above 0 and its upper neighbour, 2^1024 for the largest. */
-  private static Dyadic middle(double low) {
-    return Dyadic.of(low).plus(Dyadic.of(Math.ulp(low)).half());
-  }
-
-  private static Dyadic sum(double r, double s) {
-    return Dyadic.of(r).plus(Dyadic.of(s));
-  }
-
-  private static Vector vector(double ax, double ay, double bx, double by) {
-    return new Vector(Dyadic.difference(ax, bx), Dyadic.difference(ay, by), Dyadic.ZERO);
-  }
-
-  private static Dyadic cross(Vector a, Vector b) {
-    return a.x.times(b.y).minus(a.y.times(b.x));
-  }
-
-  private static Dyadic dot(Vector a, Vector b) {
-    return a.x.times(b.x).plus(a.y.times(b.y)).plus(a.z.times(b.z));
+  private static Vector vector(
+      double ax, double ay, double az, double bx, double by, double bz) {
+    return new Vector(
+        Dyadic.difference(ax, bx), Dyadic.difference(ay, by), Dyadic.difference(az, bz));
   }
 
   /** A vector of exact numbers; z is 0 in the plane. */
@@ -210,26 +112,9 @@ public final class Exact {
       return x.square().plus(y.square()).plus(z.square());
     }
 
-    Vector plus(Vector v, Dyadic t) {
-      return new Vector(x.plus(v.x.times(t)), y.plus(v.y.times(t)), z.plus(v.z.times(t)));
-    }
-
-    Vector above(Dyadic height) {
-      return new Vector(x, y, height);
-    }
-
-    int magnitude() {
-      return square().sign() == 0 ? 0 : square().magnitude() / 2 + 1;
-    }
-
-    /** The unit vector of a vector in the plane. */
-    UnitVector unit() {
-      Dyadic length = square().sqrt(BITS);
-      return new UnitVector(quotient(x, length), quotient(y, length));
-    }
-
-    private static double quotient(Dyadic a, Dyadic length) {
-      return a.sign() == 0 ? 0 : a.sign() * a.abs().over(length, BITS).floor();
+    /** The cross product with a vector, both in the plane. */
+    Dyadic cross(Vector b) {
+      return x.times(b.y).minus(y.times(b.x));
     }
   }
 }

@@ -10,12 +10,49 @@ package dev.carom.internal.exact;
  */
 public record ExactTime(Dyadic p, Dyadic q, Dyadic d) {
 
+  /** Bits of a time before it is rounded. */
+  private static final int BITS = 128;
+
   /** Time 0: the circle touches or overlaps at the start. */
   public static final ExactTime ZERO = of(0);
 
   /** The value of a finite double. */
   public static ExactTime of(double t) {
     return new ExactTime(Dyadic.of(t), Dyadic.ZERO, Dyadic.of(1));
+  }
+
+  /**
+   * The correctly rounded value of a positive time, a tie to the even double. It is {@code (p^2 -
+   * q) / ((p + sqrt(q)) d)}, in which all terms are positive.
+   */
+  public double nearest() {
+    PrecisionCounters.exactTime();
+    Dyadic t =
+        q.sign() == 0
+            ? p.over(d, BITS)
+            : p.square().minus(q).over(p.plus(q.sqrt(BITS)).times(d), BITS);
+    double low = t.floor(); // the largest double at or below t, which errs in the 120th bit
+    int sign = compare(Dyadic.of(low).plus(Dyadic.of(Math.ulp(low)).half()));
+    boolean isEven = (Double.doubleToRawLongBits(low) & 1) == 0;
+    return sign < 0 || (sign == 0 && isEven) ? low : Math.nextUp(low);
+  }
+
+  /** The sign of p - sqrt(q) - d m. */
+  private int compare(Dyadic m) {
+    return p.minus(d.times(m)).signedSquare().minus(q).sign();
+  }
+
+  /** The correctly rounded value of a positive time, {@code +infinity} if it is later than T. */
+  public double upTo(double T) {
+    double t = nearest();
+    return t < T || T == Double.POSITIVE_INFINITY || (t == T && !isAfter(T))
+        ? t
+        : Double.POSITIVE_INFINITY;
+  }
+
+  /** Whether a positive time is later than another one. */
+  public boolean isAfter(double t) {
+    return compare(Dyadic.of(t)) > 0;
   }
 
   /**

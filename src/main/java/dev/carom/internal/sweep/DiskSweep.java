@@ -170,7 +170,7 @@ public final class DiskSweep {
       }
       t += c;
     }
-    return Exact.Disks.of(x1, y1, r1, vx1, vy1, x2, y2, r2, vx2, vy2).time(T);
+    return Exact.Disks.of(x1, y1, r1, vx1, vy1, x2, y2, r2, vx2, vy2).time().upTo(T);
   }
 
   /** {@code f(t) = e.e - r^2} at {@code e = d + u t}. Cancelling terms have head and tail. */

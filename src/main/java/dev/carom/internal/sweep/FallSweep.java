@@ -101,12 +101,11 @@ public final class FallSweep {
       return ExactTime.ZERO;
     }
     if (contact == Contact.LEFT || contact == Contact.RIGHT) {
-      return Exact.Side.of(f.px, f.py, f.r, f.vx, f.vy, f.ax, f.ay, f.bx, f.by, f.ux, f.uy)
-          .exactTime();
+      return Exact.timeOfSide(f.px, f.py, f.r, f.vx, f.vy, f.ax, f.ay, f.bx, f.by, f.ux, f.uy);
     }
     double qx = contact == Contact.END ? f.bx : f.ax;
     double qy = contact == Contact.END ? f.by : f.ay;
-    return Exact.Disks.of(f.px, f.py, f.r, f.vx, f.vy, qx, qy, f.radius, f.ux, f.uy).exactTime();
+    return Exact.Disks.of(f.px, f.py, f.r, f.vx, f.vy, qx, qy, f.radius, f.ux, f.uy).time();
   }
 
   /**

@@ -7,8 +7,8 @@ import static dev.carom.internal.exact.DoubleDouble.productTail;
 import static dev.carom.internal.exact.DoubleDouble.sumTail;
 import static dev.carom.internal.exact.Fma.fma;
 
-import dev.carom.internal.exact.Dyadic;
 import dev.carom.internal.exact.Exact;
+import dev.carom.internal.exact.ExactTime;
 import dev.carom.internal.exact.PrecisionCounters;
 
 /**
@@ -38,39 +38,52 @@ public final class SideSweep {
   private SideSweep() {}
 
   /**
-   * The time of impact with a line that moves with the velocity u, {@code +infinity} if it is later
-   * than the window's end T.
+   * The correctly rounded time of impact with a line that moves with the velocity u: the plain
+   * quotient, refined. It is {@code +infinity} if it is later than the window's end T.
+   *
+   * @param side +1 if the disk is left of the line, -1 if right
    */
   static double time(
       int side, double px, double py, double r, double vx, double vy, double ax, double ay,
       double bx, double by, double ux, double uy, double T) {
-    boolean moves = ux != 0 || uy != 0;
-    if (T < Double.POSITIVE_INFINITY) {
-      int order = moves ? 0 : compareTime(side, px, py, r, vx, vy, ax, ay, bx, by, T);
-      if (order == 0) {
-        PrecisionCounters.exactDecision();
-        Exact.Side exact = Exact.Side.of(px, py, r, vx, vy, ax, ay, bx, by, ux, uy);
-        order = exact.compareTime(Dyadic.of(T));
-      }
-      if (order > 0) {
-        return Double.POSITIVE_INFINITY;
-      }
+    if (T < Double.POSITIVE_INFINITY && isLater(side, px, py, r, vx, vy, ax, ay, bx, by, ux, uy, T)) {
+      return Double.POSITIVE_INFINITY;
     }
-    return moves
-        ? timeOfMoving(side, px, py, r, vx, vy, ax, ay, bx, by, ux, uy)
-        : time(side, px, py, r, vx, vy, ax, ay, bx, by);
+    double wx = bx - ax;
+    double wy = by - ay;
+    double scaledRadius = r * Math.sqrt(wx * wx + wy * wy);
+    double c = side * (wx * (py - ay) - wy * (px - ax));
+    double speed = -side * (wx * (vy - uy) - wy * (vx - ux));
+    double t = Math.max(0, (c - scaledRadius) / speed);
+    return refined(side, px, py, r, vx, vy, ax, ay, bx, by, ux, uy, t);
+  }
+
+  /** Whether the impact is later than T. */
+  private static boolean isLater(
+      int side, double px, double py, double r, double vx, double vy, double ax, double ay,
+      double bx, double by, double ux, double uy, double T) {
+    boolean rests = ux == 0 && uy == 0;
+    int order = rests ? compareTime(side, px, py, r, vx, vy, ax, ay, bx, by, T) : 0;
+    return order == 0
+        ? Exact.timeOfSide(px, py, r, vx, vy, ax, ay, bx, by, ux, uy).compare(ExactTime.of(T)) > 0
+        : order > 0;
   }
 
   /**
-   * The correctly rounded time of impact with a line that moves with the velocity u. Steps as in
-   * {@link #refined} are made with s, the nearest double to v - u. The gap that they see, {@code
-   * h - r |w|}, is linear in the velocity, so what s lacks adds {@code side cross(w, v - u - s) t}.
-   * That is below u M, the terms of {@link #stepError}. It is computed to within 6 u of itself, and
-   * the step from which it cancels to within 6 u, too: 12 u^2 M, of the 14 that are left there.
+   * Refines an approximate time of impact to the correctly rounded one. {@link #step} corrects it
+   * until the correction is known well enough to round. If it never is (a gap lost to
+   * cancellation), exact numbers decide.
+   *
+   * <p>The steps are made with s, the nearest double to v - u. The gap that they see, {@code h - r
+   * |w|}, is linear in the velocity, so what s lacks adds {@code side cross(w, v - u - s) t}. That
+   * is below u M, the terms of {@link #stepError}. It is computed to within 6 u of itself, and the
+   * step from which it cancels to within 6 u, too: 12 u^2 M, of the 14 that are left there.
+   *
+   * @param rough any time from 0 on; the nearer to the impact, the fewer corrections are needed
    */
-  private static double timeOfMoving(
+  public static double refined(
       int side, double px, double py, double r, double vx, double vy, double ax, double ay,
-      double bx, double by, double ux, double uy) {
+      double bx, double by, double ux, double uy, double rough) {
     double sx = vx - ux;
     double sy = vy - uy;
     double wx = bx - ax;
@@ -78,8 +91,11 @@ public final class SideSweep {
     double scaledRadius = r * Math.sqrt(wx * wx + wy * wy);
     double speed = -side * (wx * sy - wy * sx);
     double lag =
-        side * (wx * differenceTail(vy, uy, sy) - wy * differenceTail(vx, ux, sx)) / speed;
-    double t = Math.max(0, (side * (wx * (py - ay) - wy * (px - ax)) - scaledRadius) / speed);
+        ux == 0 && uy == 0
+            ? 0
+            : side * (wx * differenceTail(vy, uy, sy) - wy * differenceTail(vx, ux, sx)) / speed;
+    double t = rough;
+    PrecisionCounters.root();
     for (int i = 0; i < STEPS; i++) {
       double step =
           step(side, px, py, r, sx, sy, ax, ay, bx, by, t, scaledRadius, speed) + lag * t;
@@ -91,58 +107,7 @@ public final class SideSweep {
       t = Math.max(0, t + step);
       PrecisionCounters.step();
     }
-    return Exact.Side.of(px, py, r, vx, vy, ax, ay, bx, by, ux, uy).time();
-  }
-
-  /**
-   * The correctly rounded time of impact: the plain quotient, refined.
-   *
-   * @param side +1 if the disk is left of the line, -1 if right
-   */
-  static double time(
-      int side, double px, double py, double r, double vx, double vy, double ax, double ay,
-      double bx, double by) {
-    double wx = bx - ax;
-    double wy = by - ay;
-    double scaledRadius = r * Math.sqrt(wx * wx + wy * wy);
-    double c = side * (wx * (py - ay) - wy * (px - ax));
-    double speed = -side * (wx * vy - wy * vx);
-    double t = Math.max(0, (c - scaledRadius) / speed);
-    return refined(side, px, py, r, vx, vy, ax, ay, bx, by, t);
-  }
-
-  /**
-   * Refines an approximate time of impact to the correctly rounded one. {@link #step} corrects it
-   * until the correction is known well enough to round. If it never is (a gap lost to
-   * cancellation), exact numbers decide.
-   *
-   * @param rough any time from 0 on; the nearer to the impact, the fewer corrections are needed
-   */
-  public static double refined(
-      int side, double px, double py, double r, double vx, double vy, double ax, double ay,
-      double bx, double by, double rough) {
-    double wx = bx - ax;
-    double wy = by - ay;
-    double scaledRadius = r * Math.sqrt(wx * wx + wy * wy);
-    double speed = -side * (wx * vy - wy * vx);
-    double t = rough;
-    if (PrecisionCounters.COUNT != null) {
-      PrecisionCounters.COUNT.roots++;
-    }
-    for (int i = 0; i < STEPS; i++) {
-      double step = step(side, px, py, r, vx, vy, ax, ay, bx, by, t, scaledRadius, speed);
-      double error = stepError(px - ax, py - ay, r, vx, vy, wx, wy, scaledRadius, speed, t, step);
-      double low = t + (step - error);
-      if (low == t + (step + error) && low > LEAST_SAFE) {
-        return low;
-      }
-      t = Math.max(0, t + step);
-      PrecisionCounters.step();
-    }
-    if (PrecisionCounters.COUNT != null) {
-      PrecisionCounters.COUNT.exactTimes++;
-    }
-    return Exact.Side.of(px, py, r, vx, vy, ax, ay, bx, by).time();
+    return Exact.timeOfSide(px, py, r, vx, vy, ax, ay, bx, by, ux, uy).nearest();
   }
 
   /**

@@ -114,7 +114,7 @@ public final class SphereSweep {
       return 0;
     }
     int sign = spheres.discriminant().sign();
-    return sign > 0 || (sign == 0 && spheres.r().sign() == 0) ? spheres.time(T) : NEVER;
+    return sign > 0 || (sign == 0 && spheres.r().sign() == 0) ? spheres.time().upTo(T) : NEVER;
   }
 
   /** Whether the distance of the centres is less than r1 + r2. */

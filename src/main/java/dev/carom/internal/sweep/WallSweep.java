@@ -4,10 +4,8 @@ package dev.carom.internal.sweep;
 import static dev.carom.internal.exact.DoubleDouble.differenceTail;
 import static dev.carom.internal.exact.Fma.fma;
 
-import dev.carom.internal.exact.Dyadic;
 import dev.carom.internal.exact.Exact;
 import dev.carom.internal.exact.ExactTime;
-import dev.carom.internal.exact.PrecisionCounters;
 
 /**
  * A disk that moves against a wall, on one axis: from above ({@code v < 0}) against everything at
@@ -67,10 +65,7 @@ public final class WallSweep {
         && h < MOST_SAFE) {
       return low;
     }
-    if (PrecisionCounters.COUNT != null) {
-      PrecisionCounters.COUNT.exactTimes++;
-    }
-    return Exact.wallTime(p, r, v, wall);
+    return Exact.timeOfWall(p, r, v, wall).nearest();
   }
 
   /** The same within a window: {@code +infinity} if it is later than the window's end T. */
@@ -81,12 +76,12 @@ public final class WallSweep {
 
   /** The exact time of impact of a disk that moves towards a wall. */
   public static ExactTime exactTime(double p, double r, double v, double wall) {
-    Dyadic gap = Exact.wallGap(p, r, v, wall);
-    return gap.sign() > 0 ? new ExactTime(gap, Dyadic.ZERO, Dyadic.of(v).abs()) : ExactTime.ZERO;
+    ExactTime time = Exact.timeOfWall(p, r, v, wall);
+    return time.p().sign() > 0 ? time : ExactTime.ZERO;
   }
 
   /** Whether the true time of impact is later than its rounding t. */
   private static boolean roundedDown(double p, double r, double v, double wall, double t) {
-    return t < Double.POSITIVE_INFINITY && Exact.compareWallTime(p, r, v, wall, t) > 0;
+    return t < Double.POSITIVE_INFINITY && exactTime(p, r, v, wall).isAfter(t);
   }
 }

@@ -27,11 +27,26 @@ class SideSweepTest {
       if (contact == Contact.LEFT || contact == Contact.RIGHT) {
         met++;
         int side = contact == Contact.LEFT ? 1 : -1;
-        double time = SideSweep.time(side, n[0], n[1], r, n[2], n[3], n[4], n[5], n[6], n[7]);
+        double time =
+            SideSweep.time(
+                side,
+                n[0],
+                n[1],
+                r,
+                n[2],
+                n[3],
+                n[4],
+                n[5],
+                n[6],
+                n[7],
+                0,
+                0,
+                Double.POSITIVE_INFINITY);
         for (double error : new double[] {0, 0x1p-52, -0x1p-40, 0x1p-28, -0x1p-10, 1, -1}) {
           double rough = time * (1 + error);
           assertThat(
-                  SideSweep.refined(side, n[0], n[1], r, n[2], n[3], n[4], n[5], n[6], n[7], rough))
+                  SideSweep.refined(
+                      side, n[0], n[1], r, n[2], n[3], n[4], n[5], n[6], n[7], 0, 0, rough))
               .as("query %d from %s", i, rough)
               .isEqualTo(time);
         }
@@ -54,7 +69,7 @@ class SideSweepTest {
   void theRadiusOfAPointButForRounding(
       String px, String py, String r, String vx, String vy, String bx, String by) {
     double[] n = Stream.of(px, py, r, vx, vy, bx, by).mapToDouble(Double::parseDouble).toArray();
-    double time = Exact.Side.of(n[0], n[1], n[2], n[3], n[4], 0, 0, n[5], n[6]).time();
+    double time = Exact.timeOfSide(n[0], n[1], n[2], n[3], n[4], 0, 0, n[5], n[6], 0, 0).nearest();
     assertThat(SweptCircle.line(n[0], n[1], n[2], n[3], n[4], 0, 0, n[5], n[6], 1e9))
         .isEqualTo(time);
     assertThat(SweptCircle.movingLine(n[0], n[1], n[2], 0, 0, 0, 0, n[5], n[6], -n[3], -n[4], 1e9))
@@ -72,7 +87,7 @@ class SideSweepTest {
   })
   void squaresThatUnderflowAreNotTrusted(
       double py, double r, double vy, double ax, double ay, double bx, double by) {
-    double time = Exact.Side.of(0, py, r, 0, vy, ax, ay, bx, by).time();
+    double time = Exact.timeOfSide(0, py, r, 0, vy, ax, ay, bx, by, 0, 0).nearest();
     assertThat(time).isCloseTo(1.7, within(1e-15));
     assertThat(SweptCircle.line(0, py, r, 0, vy, ax, ay, bx, by, 9)).isEqualTo(time);
     assertThat(SweptCircle.line(0, py, r, 0, vy, ax, ay, bx, by, 1.71)).isEqualTo(time);
