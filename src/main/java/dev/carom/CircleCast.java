@@ -3,7 +3,6 @@ package dev.carom;
 
 import dev.carom.internal.sweep.Fall;
 import dev.carom.internal.sweep.FallSweep;
-import dev.carom.internal.exact.ExactParabola;
 import dev.carom.internal.exact.ExactTime;
 import dev.carom.internal.exact.RealRoot;
 import dev.carom.internal.state.MovingCircle;
@@ -144,7 +143,7 @@ final class CircleCast {
 
   private static RealRoot exactWallTime(Circle c, Vec2 v, Vec2 g, Bounds bounds, int id) {
     boolean vertical = id <= WallSweep.RIGHT;
-    return ExactParabola.wall(
+    return ParabolaWallSweep.exact(
             vertical ? c.x() : c.y(),
             c.radius(),
             vertical ? v.x() : v.y(),

@@ -4,10 +4,10 @@ package dev.carom;
 import static org.assertj.core.api.Assertions.assertThat;
 
 import dev.carom.internal.exact.ExactParabola;
-import dev.carom.internal.exact.ExactReturn;
 import dev.carom.internal.exact.Gaps;
 import dev.carom.internal.exact.RealRoot;
 import dev.carom.internal.sweep.Contact;
+import dev.carom.internal.sweep.FallSweep;
 import dev.carom.internal.sweep.Falls;
 import dev.carom.internal.sweep.ParabolaWallSweep;
 import dev.carom.oracle.Draw;
@@ -120,8 +120,8 @@ class ParabolaBoundsTest {
       ParabolaQuery query = family.next(draw);
       double[] a = ofLine(query);
       double truth =
-          ExactReturn.toSide(1, a[3], a[4], a[5], a[6], a[7], a[8], a[9], a[10], a[11], a[12])
-              .time(a[13]);
+          Falls.exactReturnToSide(
+              1, a[3], a[4], a[5], a[6], a[7], a[8], a[9], a[10], a[11], a[12], a[13]);
       double[] b = Arrays.copyOfRange(a, 2, 14);
       b[0] = 1;
       assertThat((double) Detector.call(whole, b)).as(query::hex).isEqualTo(truth);
@@ -338,20 +338,22 @@ class ParabolaBoundsTest {
     if (isLine(query)) {
       double[] a = ofLine(query);
       ExactParabola line =
-          ExactParabola.line(
-              a[0], a[1], a[2], a[3], a[4], a[5], a[6], a[7], a[8], a[9], a[10], a[11], a[12]);
+          FallSweep.exact(
+              Falls.line(
+                  a[0], a[1], a[2], a[3], a[4], a[5], a[6], a[7], a[8], a[9], a[10], a[11], a[12]));
       return reply(line, line.first(a[13]), n[0] == n[2] && n[1] == n[3]);
     }
     if (query.straight() instanceof PairQuery) {
       double time =
-          ExactParabola.disk(n[0], n[1], n[2], n[3], n[4], gx, gy, n[5], n[6], n[7], n[8], n[9])
+          FallSweep.exact(
+                  Falls.disk(n[0], n[1], n[2], n[3], n[4], gx, gy, n[5], n[6], n[7], n[8], n[9]))
               .time(n[10]);
       return new Reply(time, 0);
     }
-    double left = ExactParabola.wall(n[0], n[2], n[3], gx, n[5], 1).time(n[9]);
-    double right = ExactParabola.wall(n[0], n[2], n[3], gx, n[7], -1).time(n[9]);
-    double bottom = ExactParabola.wall(n[1], n[2], n[4], gy, n[6], 1).time(n[9]);
-    double top = ExactParabola.wall(n[1], n[2], n[4], gy, n[8], -1).time(n[9]);
+    double left = ParabolaWallSweep.exact(n[0], n[2], n[3], gx, n[5], 1).time(n[9]);
+    double right = ParabolaWallSweep.exact(n[0], n[2], n[3], gx, n[7], -1).time(n[9]);
+    double bottom = ParabolaWallSweep.exact(n[1], n[2], n[4], gy, n[6], 1).time(n[9]);
+    double top = ParabolaWallSweep.exact(n[1], n[2], n[4], gy, n[8], -1).time(n[9]);
     return new Reply(Math.min(Math.min(left, right), Math.min(bottom, top)), 0);
   }
 

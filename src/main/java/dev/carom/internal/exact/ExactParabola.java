@@ -48,57 +48,20 @@ public final class ExactParabola {
     height = isLine ? gaps.height() : NONE;
   }
 
-  private static ExactParabola disk(Gaps<Polynomial> gaps) {
+  /** Against a disk. */
+  public static ExactParabola disk(Gaps<Polynomial> gaps) {
     return new ExactParabola(gaps, false, gaps.gap(Gaps.BEFORE));
   }
 
-  /** Against what has one gap everywhere: a wall, or the thing just hit. */
-  static ExactParabola ofGap(Polynomial gap) {
-    return new ExactParabola(null, false, gap);
-  }
-
-  /** Against a disk that moves straight on. */
-  public static ExactParabola disk(
-      double x1, double y1, double r1, double vx1, double vy1, double gx, double gy, double x2,
-      double y2, double r2, double vx2, double vy2) {
-    Polynomial x = motion(x1, x2, vx1, vx2, gx);
-    Polynomial y = motion(y1, y2, vy1, vy2, gy);
-    Polynomial r = constant(Dyadic.of(r1).plus(Dyadic.of(r2)));
-    return disk(new Gaps<Polynomial>().set(x, y, NONE, NONE, r));
-  }
-
-  /**
-   * Against a line that is from a to b at the start and moves with the velocity u; one of no length
-   * is a disk of radius 0.
-   */
-  public static ExactParabola line(
-      double px, double py, double r, double vx, double vy, double gx, double gy, double ax,
-      double ay, double bx, double by, double ux, double uy) {
-    if (ax == bx && ay == by) {
-      return disk(px, py, r, vx, vy, gx, gy, ax, ay, 0, ux, uy);
-    }
-    Gaps<Polynomial> gaps =
-        new Gaps<Polynomial>()
-            .set(
-                motion(px, ax, vx, ux, gx),
-                motion(py, ay, vy, uy, gy),
-                constant(Dyadic.difference(bx, ax)),
-                constant(Dyadic.difference(by, ay)),
-                constant(Dyadic.of(r)));
+  /** Against a line that has a length. */
+  public static ExactParabola line(Gaps<Polynomial> gaps) {
     return new ExactParabola(
         gaps, true, gaps.gap(Gaps.BEFORE), gaps.gap(Gaps.BESIDE), gaps.gap(Gaps.BEYOND));
   }
 
-  /**
-   * Against a wall, on one axis.
-   *
-   * @param inward +1 if the disk is to stay above the wall, -1 if below
-   */
-  public static ExactParabola wall(
-      double p, double r, double v, double g, double wall, int inward) {
-    Polynomial place = motion(p, wall, v, 0, g);
-    Polynomial distance = inward > 0 ? place : NONE.minus(place);
-    return ofGap(distance.minus(constant(Dyadic.of(r))));
+  /** Against what has one gap everywhere: a wall, or the thing just hit. */
+  public static ExactParabola ofGap(Polynomial gap) {
+    return new ExactParabola(null, false, gap);
   }
 
   /** The time of impact; null for none up to the window's end T. */
@@ -343,14 +306,5 @@ public final class ExactParabola {
     return t.sign(height.derivative()) != 0
         || (start == 0 && t.sign(alongStart.derivative()) > 0)
         || (end == 0 && t.sign(alongEnd.derivative()) < 0);
-  }
-
-  /** (p - q) + (v - u) t + g / 2 t^2. */
-  static Polynomial motion(double p, double q, double v, double u, double g) {
-    return Polynomial.of(Dyadic.difference(p, q), Dyadic.difference(v, u), Dyadic.of(g).half());
-  }
-
-  private static Polynomial constant(Dyadic value) {
-    return Polynomial.of(value);
   }
 }

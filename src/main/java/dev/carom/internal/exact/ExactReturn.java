@@ -23,10 +23,6 @@ public final class ExactReturn {
   /** The side of the line: +1 left, -1 right. */
   private final int side;
 
-  private ExactReturn(Polynomial gap) {
-    this(gap, null, Gaps.BEFORE, 0);
-  }
-
   private ExactReturn(Polynomial gap, ExactParabola line, int part, int side) {
     own = ExactParabola.ofGap(gap.fromStart());
     this.line = line;
@@ -34,68 +30,18 @@ public final class ExactReturn {
     this.side = side;
   }
 
-  /**
-   * To a wall, on one axis.
-   *
-   * @param inward +1 if the disk is above the wall, -1 if below
-   */
-  public static ExactReturn toWall(double v, double g, int inward) {
-    return new ExactReturn(signed(inward, ExactParabola.motion(0, 0, v, 0, g)));
+  /** To a disk. */
+  public static ExactReturn toDisk(Gaps<Polynomial> gaps) {
+    return new ExactReturn(gaps.gap(Gaps.BEFORE), null, Gaps.BEFORE, 0);
   }
 
-  /**
-   * To the height above the infinite line at the start.
-   *
-   * @param side +1 if the disk is left of the line, -1 if right
-   */
-  public static ExactReturn toSide(
-      int side, double vx, double vy, double gx, double gy, double ax, double ay, double bx,
-      double by, double ux, double uy) {
-    return new ExactReturn(rise(side, vx, vy, gx, gy, ax, ay, bx, by, ux, uy));
-  }
-
-  /** The height of the centre above that at the start, times the length of the line. */
-  private static Polynomial rise(
-      int side, double vx, double vy, double gx, double gy, double ax, double ay, double bx,
-      double by, double ux, double uy) {
-    Polynomial x = ExactParabola.motion(0, 0, vx, ux, gx);
-    Polynomial y = ExactParabola.motion(0, 0, vy, uy, gy);
-    Polynomial wx = Polynomial.of(Dyadic.difference(bx, ax));
-    Polynomial wy = Polynomial.of(Dyadic.difference(by, ay));
-    return signed(side, wx.times(y).minus(wy.times(x)));
-  }
-
-  /** To the distance from a disk at the start. */
-  public static ExactReturn toDisk(
-      double x1, double y1, double vx1, double vy1, double gx, double gy, double x2, double y2,
-      double vx2, double vy2) {
-    Polynomial x = ExactParabola.motion(x1, x2, vx1, vx2, gx);
-    Polynomial y = ExactParabola.motion(y1, y2, vy1, vy2, gy);
-    return new ExactReturn(x.times(x).plus(y.times(y)));
-  }
-
-  /**
-   * To a line that is from a to b at the start and moves with the velocity u. The disk touches the
-   * part in whose region its centre is then.
-   */
-  public static ExactReturn toLine(
-      double px, double py, double r, double vx, double vy, double gx, double gy, double ax,
-      double ay, double bx, double by, double ux, double uy) {
-    if (ax == bx && ay == by) {
-      return toDisk(px, py, vx, vy, gx, gy, ax, ay, ux, uy);
-    }
-    ExactParabola line = ExactParabola.line(px, py, r, vx, vy, gx, gy, ax, ay, bx, by, ux, uy);
+  /** To a line. The disk touches the part in whose region its centre is at the start. */
+  public static ExactReturn toLine(Gaps<Polynomial> gaps) {
+    ExactParabola line = ExactParabola.line(gaps);
     int part = line.region(ExactParabola.START);
-    if (part != Gaps.BESIDE) {
-      return new ExactReturn(line.gap(part), line, part, 0);
-    }
     int side = line.sideAtStart();
-    Polynomial rise = rise(side, vx, vy, gx, gy, ax, ay, bx, by, ux, uy);
-    return new ExactReturn(rise, line, part, side);
-  }
-
-  private static Polynomial signed(int sign, Polynomial f) {
-    return sign > 0 ? f : Polynomial.of().minus(f);
+    Polynomial gap = part == Gaps.BESIDE ? gaps.height().signed(side) : gaps.gap(part);
+    return new ExactReturn(gap, line, part, side);
   }
 
   /** The correctly rounded time of the return, {@code +infinity} for none up to T. */

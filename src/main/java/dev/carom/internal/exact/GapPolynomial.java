@@ -18,6 +18,8 @@ import java.util.List;
  */
 public final class GapPolynomial implements Ring<GapPolynomial> {
 
+  private static final Expansion HALF = Expansion.sum(0.5, 0);
+
   /** The sign is open. */
   public static final int UNKNOWN = 2;
 
@@ -153,6 +155,17 @@ public final class GapPolynomial implements Ring<GapPolynomial> {
   /** The polynomial with these coefficients. */
   public static GapPolynomial exact(Expansion... coefficients) {
     return new GapPolynomial(null, coefficients, coefficients.length);
+  }
+
+  /** (p - q) + (v - u) t + g / 2 t^2, without rounding. */
+  public static GapPolynomial motion(double p, double q, double v, double u, double g) {
+    return exact(
+        Expansion.difference(p, q), Expansion.difference(v, u), HALF.times(Expansion.sum(g, 0)));
+  }
+
+  /** The constant p - q, without rounding. */
+  public static GapPolynomial difference(double p, double q) {
+    return exact(Expansion.difference(p, q));
   }
 
   private GapPolynomial clear(int newLength) {

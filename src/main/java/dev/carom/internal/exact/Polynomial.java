@@ -37,6 +37,16 @@ public final class Polynomial implements Ring<Polynomial> {
     return new Polynomial(coefficients);
   }
 
+  /** (p - q) + (v - u) t + g / 2 t^2. */
+  public static Polynomial motion(double p, double q, double v, double u, double g) {
+    return of(Dyadic.difference(p, q), Dyadic.difference(v, u), Dyadic.of(g).half());
+  }
+
+  /** The constant p - q. */
+  public static Polynomial difference(double p, double q) {
+    return of(Dyadic.difference(p, q));
+  }
+
   /** The degree; -1 for the polynomial 0. */
   public int degree() {
     return c.length - 1;
@@ -75,6 +85,11 @@ public final class Polynomial implements Ring<Polynomial> {
     return new Polynomial(product);
   }
 
+  /** This polynomial, times 1 or -1. */
+  public Polynomial signed(int sign) {
+    return sign > 0 ? this : new Polynomial().minus(this);
+  }
+
   public Polynomial derivative() {
     Dyadic[] d = new Dyadic[Math.max(0, c.length - 1)];
     for (int i = 0; i < d.length; i++) {
@@ -89,7 +104,7 @@ public final class Polynomial implements Ring<Polynomial> {
   }
 
   /** This polynomial less its value at 0. Its slope there counts as 0 if it is negative. */
-  Polynomial fromStart() {
+  public Polynomial fromStart() {
     Dyadic[] gap = c.clone();
     for (int i = 0; i < Math.min(2, gap.length); i++) {
       gap[i] = i == 1 && gap[i].sign() > 0 ? gap[i] : Dyadic.ZERO;

@@ -5,10 +5,12 @@ import static dev.carom.internal.exact.DoubleDouble.crossTail;
 import static dev.carom.internal.exact.DoubleDouble.differenceTail;
 import static dev.carom.internal.exact.Fma.fma;
 
+import dev.carom.internal.exact.ExactParabola;
 import dev.carom.internal.exact.ExactReturn;
 import dev.carom.internal.exact.Expansion;
 import dev.carom.internal.exact.GapPolynomial;
 import dev.carom.internal.exact.Gaps;
+import dev.carom.internal.exact.Polynomial;
 import dev.carom.internal.exact.PrecisionCounters;
 import dev.carom.internal.exact.Predicates;
 import dev.carom.internal.exact.RealRoot;
@@ -74,7 +76,8 @@ public final class FallReturn {
     }
     Expansion speed = Expansion.sum(inward * v, 0);
     double time = upTo(T, GapPolynomial.exact(speed, Expansion.sum(inward * 0.5 * g, 0)));
-    return Double.isNaN(time) ? ExactReturn.toWall(v, g, inward).time(T) : time;
+    Polynomial rise = Polynomial.motion(0, 0, v, 0, g).signed(inward);
+    return Double.isNaN(time) ? ExactParabola.ofGap(rise.fromStart()).time(T) : time;
   }
 
   /**
@@ -97,10 +100,8 @@ public final class FallReturn {
   }
 
   private static ExactReturn exact(Fall f) {
-    return f.isLine
-        ? ExactReturn.toLine(
-            f.px, f.py, f.r, f.vx, f.vy, f.gx, f.gy, f.ax, f.ay, f.bx, f.by, f.ux, f.uy)
-        : ExactReturn.toDisk(f.px, f.py, f.vx, f.vy, f.gx, f.gy, f.ax, f.ay, f.ux, f.uy);
+    Gaps<Polynomial> gaps = FallSweep.numbers(f);
+    return f.isLine ? ExactReturn.toLine(gaps) : ExactReturn.toDisk(gaps);
   }
 
   /** The region in which the disk touches the obstacle. */
@@ -195,8 +196,7 @@ public final class FallReturn {
     }
     double time = upTo(T, rise(f, side).overTime());
     return Double.isNaN(time)
-        ? ExactReturn.toSide(side, f.vx, f.vy, f.gx, f.gy, f.ax, f.ay, f.bx, f.by, f.ux, f.uy)
-            .time(T)
+        ? ExactParabola.ofGap(FallSweep.numbers(f).height().signed(side).fromStart()).time(T)
         : time;
   }
 

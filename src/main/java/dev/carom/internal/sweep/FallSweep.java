@@ -4,9 +4,9 @@ package dev.carom.internal.sweep;
 import dev.carom.internal.exact.Exact;
 import dev.carom.internal.exact.ExactParabola;
 import dev.carom.internal.exact.ExactTime;
-import dev.carom.internal.exact.Expansion;
 import dev.carom.internal.exact.GapPolynomial;
 import dev.carom.internal.exact.Gaps;
+import dev.carom.internal.exact.Polynomial;
 import dev.carom.internal.exact.PrecisionCounters;
 import dev.carom.internal.exact.RealRoot;
 import dev.carom.internal.exact.UnitVector;
@@ -27,8 +27,6 @@ public final class FallSweep {
 
   /** Below this, underflow may have taken a part. */
   private static final double LEAST_SAFE = 0x1p-1000;
-
-  private static final Expansion HALF = Expansion.sum(0.5, 0);
 
   private FallSweep() {}
 
@@ -212,17 +210,11 @@ public final class FallSweep {
   static Gaps<GapPolynomial> exactGaps(Fall f) {
     return new Gaps<GapPolynomial>()
         .set(
-            motion(f.px, f.ax, f.vx, f.ux, f.gx),
-            motion(f.py, f.ay, f.vy, f.uy, f.gy),
-            GapPolynomial.exact(Expansion.difference(f.bx, f.ax)),
-            GapPolynomial.exact(Expansion.difference(f.by, f.ay)),
-            GapPolynomial.exact(Expansion.sum(f.r, f.radius)));
-  }
-
-  /** (p - q) + (v - u) t + g / 2 t^2. */
-  static GapPolynomial motion(double p, double q, double v, double u, double g) {
-    return GapPolynomial.exact(
-        Expansion.difference(p, q), Expansion.difference(v, u), HALF.times(Expansion.sum(g, 0)));
+            GapPolynomial.motion(f.px, f.ax, f.vx, f.ux, f.gx),
+            GapPolynomial.motion(f.py, f.ay, f.vy, f.uy, f.gy),
+            GapPolynomial.difference(f.bx, f.ax),
+            GapPolynomial.difference(f.by, f.ay),
+            GapPolynomial.difference(f.r, -f.radius));
   }
 
   /**
@@ -243,10 +235,17 @@ public final class FallSweep {
 
   /** The question in algebraic numbers. */
   public static ExactParabola exact(Fall f) {
-    return f.isLine
-        ? ExactParabola.line(
-            f.px, f.py, f.r, f.vx, f.vy, f.gx, f.gy, f.ax, f.ay, f.bx, f.by, f.ux, f.uy)
-        : ExactParabola.disk(
-            f.px, f.py, f.r, f.vx, f.vy, f.gx, f.gy, f.ax, f.ay, f.radius, f.ux, f.uy);
+    return f.isLine ? ExactParabola.line(numbers(f)) : ExactParabola.disk(numbers(f));
+  }
+
+  /** The gaps in exact numbers. */
+  static Gaps<Polynomial> numbers(Fall f) {
+    return new Gaps<Polynomial>()
+        .set(
+            Polynomial.motion(f.px, f.ax, f.vx, f.ux, f.gx),
+            Polynomial.motion(f.py, f.ay, f.vy, f.uy, f.gy),
+            Polynomial.difference(f.bx, f.ax),
+            Polynomial.difference(f.by, f.ay),
+            Polynomial.difference(f.r, -f.radius));
   }
 }

@@ -4,8 +4,8 @@ package dev.carom.internal.sweep;
 import static dev.carom.internal.exact.DoubleDouble.differenceTail;
 
 import dev.carom.internal.exact.ExactParabola;
-import dev.carom.internal.exact.Expansion;
 import dev.carom.internal.exact.GapPolynomial;
+import dev.carom.internal.exact.Polynomial;
 import dev.carom.internal.exact.PrecisionCounters;
 
 /**
@@ -48,12 +48,19 @@ public final class ParabolaWallSweep {
     if (time > T) {
       return NEVER;
     }
-    GapPolynomial place = FallSweep.motion(p, wall, v, 0, g).signed(inward);
-    GapPolynomial gap = place.minus(GapPolynomial.exact(Expansion.sum(r, 0)));
+    GapPolynomial place = GapPolynomial.motion(p, wall, v, 0, g).signed(inward);
+    GapPolynomial gap = place.minus(GapPolynomial.difference(r, 0));
     double reach =
         FallSweep.reach(Fall.ofThread().flight(p, 0, r, v, 0, g, 0).disk(wall, 0, 0, 0, 0));
     time = new GapSearch(gap).time(GapSearch.FIRST, 0, reach, T);
-    return Double.isNaN(time) ? ExactParabola.wall(p, r, v, g, wall, inward).time(T) : time;
+    return Double.isNaN(time) ? exact(p, r, v, g, wall, inward).time(T) : time;
+  }
+
+  /** The question in algebraic numbers. */
+  public static ExactParabola exact(
+      double p, double r, double v, double g, double wall, int inward) {
+    Polynomial place = Polynomial.motion(p, wall, v, 0, g).signed(inward);
+    return ExactParabola.ofGap(place.minus(Polynomial.difference(r, 0)));
   }
 
   /** The time, if doubles and double-double tell. */

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 package dev.carom.internal.sweep;
 
+import dev.carom.internal.exact.ExactParabola;
 import dev.carom.internal.exact.UnitVector;
 
 /** Questions about falling disks, with all numbers in one call. */
@@ -196,6 +197,24 @@ public final class Falls {
       double uy,
       double t) {
     return FallReturn.contact(line(px, py, r, vx, vy, gx, gy, ax, ay, bx, by, ux, uy), t);
+  }
+
+  /** The return to the height above a line, by algebraic numbers. */
+  public static double exactReturnToSide(
+      int side,
+      double vx,
+      double vy,
+      double gx,
+      double gy,
+      double ax,
+      double ay,
+      double bx,
+      double by,
+      double ux,
+      double uy,
+      double T) {
+    Fall fall = line(0, 0, 0, vx, vy, gx, gy, ax, ay, bx, by, ux, uy);
+    return ExactParabola.ofGap(FallSweep.numbers(fall).height().signed(side).fromStart()).time(T);
   }
 
   public static double returnToSide(

@@ -3,7 +3,9 @@ package dev.carom.internal.sweep;
 
 import static org.assertj.core.api.Assertions.assertThat;
 
+import dev.carom.internal.exact.ExactParabola;
 import dev.carom.internal.exact.ExactReturn;
+import dev.carom.internal.exact.Polynomial;
 import java.util.SplittableRandom;
 import org.junit.jupiter.api.Test;
 
@@ -163,13 +165,17 @@ class ParabolaReturnTest {
       double disk = Falls.returnToDisk(n[0], n[1], n[2], n[3], gx, n[5], n[6], n[7], 0, 0, T);
       assertThat(disk)
           .isEqualTo(
-              ExactReturn.toDisk(n[0], n[1], n[2], n[3], gx, n[5], n[6], n[7], 0, 0).time(T));
+              ExactReturn.toDisk(
+                      FallSweep.numbers(
+                          Falls.disk(n[0], n[1], 0, n[2], n[3], gx, n[5], n[6], n[7], 0, 0, 0)))
+                  .time(T));
       double side = Falls.returnToSide(1, n[2], n[3], gx, n[5], n[0], n[1], n[6], n[7], 0, 0, T);
       assertThat(side)
           .isEqualTo(
-              ExactReturn.toSide(1, n[2], n[3], gx, n[5], n[0], n[1], n[6], n[7], 0, 0).time(T));
+              Falls.exactReturnToSide(1, n[2], n[3], gx, n[5], n[0], n[1], n[6], n[7], 0, 0, T));
       assertThat(FallReturn.toWall(n[2], n[5], 1, T))
-          .isEqualTo(ExactReturn.toWall(n[2], n[5], 1).time(T));
+          .isEqualTo(
+              ExactParabola.ofGap(Polynomial.motion(0, 0, n[2], 0, n[5]).fromStart()).time(T));
       hits += disk > 0 && disk < NEVER ? 1 : 0;
       hits += side > 0 && side < NEVER ? 1 : 0;
     }

@@ -5,7 +5,6 @@ import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.within;
 
 import dev.carom.SweptCircle;
-import dev.carom.internal.exact.ExactParabola;
 import dev.carom.internal.exact.PrecisionCounters;
 import dev.carom.internal.exact.UnitVector;
 import dev.carom.oracle.Draw;
@@ -65,8 +64,9 @@ class ParabolaSweepTest {
             n[0], n[1], n[2], n[3], n[4], n[5], n[6], n[7], n[8], n[9], n[10], n[11],
             Double.MIN_VALUE, 10);
     double truth =
-        ExactParabola.disk(
-                n[0], n[1], n[2], n[3], n[4], n[5], n[6], n[7], n[8], n[9], n[10], n[11])
+        FallSweep.exact(
+                Falls.disk(
+                    n[0], n[1], n[2], n[3], n[4], n[5], n[6], n[7], n[8], n[9], n[10], n[11]))
             .timeAfter(Double.MIN_VALUE, 10);
     assertThat(time).isEqualTo(truth).isLessThan(1e-30);
   }
@@ -327,7 +327,8 @@ class ParabolaSweepTest {
 
   @Test
   void exactNumbersKnowTheLineOfNoLength() {
-    assertThat(ExactParabola.line(0, 9, 1, 0, 0, 0, -4, 0, 0, 0, 0, 0, 0).time(NEVER)).isEqualTo(2);
+    assertThat(FallSweep.exact(Falls.line(0, 9, 1, 0, 0, 0, -4, 0, 0, 0, 0, 0, 0)).time(NEVER))
+        .isEqualTo(2);
     assertThat(Falls.timeOfLine(0, 9, 1, 0, 0, 0, -4, 0, 0, 0, 0, 0, 0, NEVER))
         .isEqualTo(2);
     assertThat(Falls.contact(0, 9, 1, 0, 0, 0, -4, 0, 0, 0, 0, 0, 0, 2))
