@@ -70,6 +70,7 @@ public final class Dyadic implements Ring<Dyadic> {
 
   @Override
   public Dyadic times(Dyadic that) {
+    ExactBudget.addProduct(m.bitLength(), that.m.bitLength());
     return new Dyadic(m.multiply(that.m), e + that.e);
   }
 

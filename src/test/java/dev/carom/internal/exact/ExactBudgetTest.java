@@ -21,6 +21,8 @@ class ExactBudgetTest {
     assertThat(impacts(() -> ExactBudget.add(3 * bits - own))).isEqualTo(3);
     assertThat(impacts(() -> ExactBudget.add(3 * bits - own - 1))).as("whole ones").isEqualTo(2);
     assertThat(impacts(() -> ExactBudget.addRelaxations(bits))).isEqualTo(64);
+    assertThat(impacts(() -> ExactBudget.addProduct(bits, 511))).isZero();
+    assertThat(impacts(() -> ExactBudget.addProduct(bits, 3 * 512))).isEqualTo(3);
     assertThat(impacts(() -> ExactBudget.addSquared(4 * Long.SIZE))).isZero();
     assertThat(impacts(() -> ExactBudget.addSquared(bits))).isEqualTo(bits / Long.SIZE);
   }
