@@ -61,7 +61,6 @@ class BenchmarksTest {
             .mode(Mode.SingleShotTime)
             .param("circles", "100")
             .param("lines", "100")
-            .param("pegs", "2")
             .param("family", "seg_uniform")
             .param("pegs", "2")
             .param("queries", "4096")

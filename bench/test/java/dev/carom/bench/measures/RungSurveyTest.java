@@ -25,9 +25,11 @@ class RungSurveyTest {
   }
 
   @Test
-  void tiesClimbToTheHighest() {
-    assertThat(share("seg_lattice").exact()).isGreaterThan(30);
-    assertThat(share("circ_near_graze").doubleDouble()).isGreaterThan(30);
+  void tiesClimbOneRungAndFewFurther() {
+    for (String family : List.of("seg_lattice", "circ_near_graze")) {
+      assertThat(share(family).doubleDouble()).as(family).isGreaterThan(30);
+    }
+    assertThat(share("seg_lattice").exact()).isBetween(1L, 5L);
   }
 
   @Test
