@@ -2,6 +2,7 @@
 package dev.carom.internal.state;
 
 import java.util.Arrays;
+import java.util.function.DoublePredicate;
 import java.util.function.IntToDoubleFunction;
 
 /** A rectangle that holds most circles, all of them unless a few are far from the others. */
@@ -23,18 +24,26 @@ public record BoundingBox(double left, double bottom, double right, double top) 
 
   private static double[] range(
       int[] ids, IntToDoubleFunction place, double[] walls, int low, int high) {
-    double[] p =
-        Arrays.stream(ids).mapToDouble(place).filter(x -> Math.abs(x) <= FAR).sorted().toArray();
+    double[] p = Arrays.stream(ids).mapToDouble(place).filter(x -> Math.abs(x) <= FAR).toArray();
     int last = p.length - 1;
     if (last < 0) {
       return new double[2];
     }
-    double first = p[p.length / 4];
-    double third = p[last - p.length / 4];
+    int quarter = p.length / 4;
+    if (walls != null
+        && count(p, x -> x < walls[low]) <= quarter
+        && count(p, x -> x > walls[high]) <= quarter) {
+      return new double[] {Math.max(walls[low], -FAR), Math.min(walls[high], FAR)};
+    }
+    Arrays.sort(p);
+    double first = p[quarter];
+    double third = p[last - quarter];
     double most = third - first;
-    return walls != null && walls[low] <= first && third <= walls[high]
-        ? new double[] {Math.max(walls[low], -FAR), Math.min(walls[high], FAR)}
-        : new double[] {Math.max(p[0], first - most), Math.min(p[last], third + most)};
+    return new double[] {Math.max(p[0], first - most), Math.min(p[last], third + most)};
+  }
+
+  private static long count(double[] places, DoublePredicate which) {
+    return Arrays.stream(places).filter(which).count();
   }
 
   public double width() {
