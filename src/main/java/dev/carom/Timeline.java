@@ -10,8 +10,8 @@ import java.util.Optional;
 
 /**
  * A {@code Timeline} holds the recorded past of a world. It tells where each circle was, and how it
- * moved, at any moment from the start of the recording to now. From any of these moments a world
- * can go on again: see {@link #snapshot}.
+ * moved, at any time from {@link #start} to {@link #end}. From any of these moments a world can go
+ * on again: see {@link #snapshot}.
  *
  * <pre>{@code
  * World world =
@@ -24,8 +24,8 @@ import java.util.Optional;
  * that moment, they are those after the edits, and after the impacts that the edits caused at once.
  * Each change of a line or a peg is recorded, too.
  *
- * <p>A flight takes 72 bytes, 104 under gravity, so the size follows the impacts and not the steps.
- * It is that of as much time as is kept: see {@link World#record World.record}.
+ * <p>Its size follows the impacts and edits of the time that is kept, not the number of steps: see
+ * {@link World#record World.record}.
  *
  * <p>A world records its steps and its edits. When a snapshot is restored into it, the recording
  * begins anew. Not safe for use by several threads.
@@ -39,17 +39,16 @@ public final class Timeline {
   }
 
   /**
-   * Returns the time from which on everything is known.
+   * Returns the earliest time that is known.
    *
-   * @return the time at which the recording began; later, once that is longer ago than the duration
-   *     that is kept
+   * @return {@link #end} minus the duration of the recording, but not before the recording began
    */
   public double start() {
     return recorder.start();
   }
 
   /**
-   * Returns the time up to which everything is known.
+   * Returns the latest time that is known.
    *
    * @return the time of the world, or the time at which it stopped recording
    */
@@ -58,11 +57,11 @@ public final class Timeline {
   }
 
   /**
-   * Tells whether a circle existed at a given time, and is recorded.
+   * Tells whether a circle existed at a given time, and that time is known.
    *
    * @param id any number
    * @param t any number
-   * @return true if this timeline can be asked for it
+   * @return true if this timeline can be asked for the circle at that time
    */
   public boolean contains(int id, double t) {
     return recorder.track(id, t) != null;
@@ -72,9 +71,9 @@ public final class Timeline {
    * Returns the x coordinate of a circle's centre at a given time.
    *
    * @param id the circle
-   * @param t a time within the recording
+   * @param t a time from {@link #start} to {@link #end}
    * @return the coordinate; infinite if the circle was beyond the range of doubles
-   * @throws IllegalArgumentException if the circle was not there then, or is not recorded
+   * @throws IllegalArgumentException if the time is not known, or the circle was not there then
    */
   public double x(int id, double t) {
     return track(id, t).x(t, recorder.walls());
@@ -84,9 +83,9 @@ public final class Timeline {
    * Returns the y coordinate of a circle's centre at a given time.
    *
    * @param id the circle
-   * @param t a time within the recording
+   * @param t a time from {@link #start} to {@link #end}
    * @return the coordinate; infinite if the circle was beyond the range of doubles
-   * @throws IllegalArgumentException if the circle was not there then, or is not recorded
+   * @throws IllegalArgumentException if the time is not known, or the circle was not there then
    */
   public double y(int id, double t) {
     return track(id, t).y(t, recorder.walls());
@@ -96,9 +95,9 @@ public final class Timeline {
    * Returns the x component of a circle's velocity at a given time; at an impact, the one after it.
    *
    * @param id the circle
-   * @param t a time within the recording
+   * @param t a time from {@link #start} to {@link #end}
    * @return the component
-   * @throws IllegalArgumentException if the circle was not there then, or is not recorded
+   * @throws IllegalArgumentException if the time is not known, or the circle was not there then
    */
   public double vx(int id, double t) {
     FlightHistory track = track(id, t);
@@ -109,9 +108,9 @@ public final class Timeline {
    * Returns the y component of a circle's velocity at a given time; at an impact, the one after it.
    *
    * @param id the circle
-   * @param t a time within the recording
+   * @param t a time from {@link #start} to {@link #end}
    * @return the component
-   * @throws IllegalArgumentException if the circle was not there then, or is not recorded
+   * @throws IllegalArgumentException if the time is not known, or the circle was not there then
    */
   public double vy(int id, double t) {
     FlightHistory track = track(id, t);
@@ -122,9 +121,9 @@ public final class Timeline {
    * Returns the radius of a circle at a given time.
    *
    * @param id the circle
-   * @param t a time within the recording
+   * @param t a time from {@link #start} to {@link #end}
    * @return at least 0
-   * @throws IllegalArgumentException if the circle was not there then, or is not recorded
+   * @throws IllegalArgumentException if the time is not known, or the circle was not there then
    */
   public double radius(int id, double t) {
     FlightHistory track = track(id, t);
@@ -135,9 +134,9 @@ public final class Timeline {
    * Returns a line as it was at a given time.
    *
    * @param id the line
-   * @param t a time within the recording
+   * @param t a time from {@link #start} to {@link #end}
    * @return the line; empty if it was not there then
-   * @throws IllegalArgumentException if the time is not within the recording
+   * @throws IllegalArgumentException if the time is not known
    */
   public Optional<Line> line(int id, double t) {
     double time = checked(t);
@@ -151,9 +150,9 @@ public final class Timeline {
    * Returns a peg as it was at a given time.
    *
    * @param id the peg
-   * @param t a time within the recording
+   * @param t a time from {@link #start} to {@link #end}
    * @return the peg; empty if it was not there then
-   * @throws IllegalArgumentException if the time is not within the recording
+   * @throws IllegalArgumentException if the time is not known
    */
   public Optional<Circle> peg(int id, double t) {
     double time = checked(t);
@@ -176,9 +175,9 @@ public final class Timeline {
    * <p>To go back more than once, take all snapshots first, or call {@link World#stopRecording}
    * before the restore: a world that records and is restored begins its recording anew.
    *
-   * @param t a time within the recording
+   * @param t a time from {@link #start} to {@link #end}
    * @return the snapshot
-   * @throws IllegalArgumentException if the time is not within the recording
+   * @throws IllegalArgumentException if the time is not known
    */
   public Snapshot snapshot(double t) {
     return new Snapshot(recorder.state(checked(t) + 0.0)); // 0 for -0

@@ -1130,16 +1130,22 @@ public final class World {
   }
 
   /**
-   * Starts to record the flights of all circles and every edit, from now on. A recording that was
-   * going on stops, and its timeline stays as it is.
+   * Records from now on where each thing is, and returns the timeline that tells it. The timeline
+   * goes back as far as the duration, but not beyond this call. A recording that was going on stops,
+   * and its timeline stays as it is.
    *
-   * <p>What ended longer ago than the duration is dropped: flights, changes, and removed things. So
-   * the memory of a recording is bounded by what happens in that time. A flight takes 72 bytes, and
-   * 32 more under gravity, in arrays that may be half empty. A change of a circle's properties
-   * within a flight counts as a flight, and so does a contact with another circle that a sensor
-   * reports.
+   * <p>Times between {@link Timeline#start} and {@link Timeline#end} are known. The start is the
+   * present time at first, and {@code now() - duration} once that is later. An earlier time is
+   * refused by all questions of the timeline, except that {@link Timeline#contains contains} is
+   * false there. With a duration of 0 the present moment alone is known.
    *
-   * @param duration the time to keep, at least 0; {@code +infinity} to keep all
+   * <p>What ended before the start is dropped: flights, changes, and removed things. So the memory
+   * of a recording is bounded by what happens within the duration; with {@code +infinity} it grows
+   * without end. A flight takes 72 bytes, and 32 more under gravity. A change of a circle within a
+   * flight counts as one more flight, such as another mass, or a contact with another circle that a
+   * sensor reports. Each circle has room for up to four times the flights that it needs.
+   *
+   * @param duration the time to keep, in the unit of {@link #now}, from 0 to {@code +infinity}
    * @return the timeline, which goes on as the world does
    * @throws IllegalArgumentException if the duration is negative or NaN
    */

@@ -75,14 +75,30 @@ class SnapshotStreamTest {
     int circle = size(room().circle(50, 50, 5, 1, 2)) - rest;
     int line = size(room().line(10, 20, 30, 40)) - rest;
     int peg = size(room().peg(50, 50, 5)) - rest;
+    int moving = size(room().line(10, 20, 30, 40).velocity(1, 0)) - rest - line;
+    int falling = size(room().gravity(0, -1).circle(50, 50, 5, 1, 2)) - rest - circle;
     int open = size(Scene.builder());
+    assertThat(size(room().peg(50, 50, 5).velocity(1, 0)) - rest - peg).isEqualTo(moving);
     assertThat(Files.readString(Path.of("main/java/dev/carom/Snapshot.java")))
         .contains(circle + " bytes a circle", line + " a line, " + peg + " a peg")
+        .contains(moving + " more for each line or peg that moves")
         .contains(rest + " for the rest, " + open + " without bounds")
-        .contains(
-            "circles take "
-                + (size(room().gravity(0, -1).circle(50, 50, 5, 1, 2)) - rest - circle)
-                + " more");
+        .contains("falls, slides or rests, all take " + falling + " more")
+        .contains("in the present flight of any, all take " + sensed() / 2 + " more");
+    String recipes = "main/javadoc/dev.carom/dev/carom/doc-files/recipes.html";
+    assertThat(Files.readString(Path.of(recipes)))
+        .contains(String.format(Locale.ROOT, "takes %,d bytes: %d a circle", 1000 * circle + rest, circle))
+        .contains(String.format(Locale.ROOT, "%,d: %d a circle", 1000 * (circle + falling) + rest, circle + falling));
+  }
+
+  /** How many bytes more two circles take once one of them is a sensor that reported the other. */
+  private static int sensed() {
+    SceneBuilder scene = room().collide(true).circle(20, 50, 3, 4, 0);
+    World world = new World(scene.circle(50, 50, 3, 0, 0).response(Response.SENSOR).build());
+    int before = SnapshotBytes.of(world.snapshot()).length;
+    Run.step(world, 7);
+    assertThat(world.impacts().size()).isOne();
+    return SnapshotBytes.of(world.snapshot()).length - before;
   }
 
   @ParameterizedTest
