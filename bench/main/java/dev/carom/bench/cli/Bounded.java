@@ -27,6 +27,14 @@ final class Bounded {
     }
   }
 
+  /** A usage error for a number of a scene that cannot be made, by the name of its option. */
+  static ParameterException refused(IllegalArgumentException e, CommandSpec spec) {
+    String message = e.getMessage();
+    String option = "--" + message.split(" ", 2)[0];
+    boolean isNamed = spec.commandLine().getCommandSpec().findOption(option) != null;
+    return new ParameterException(spec.commandLine(), isNamed ? "--" + message : message, e);
+  }
+
   private static ParameterException refused(
       String option, String value, String expected, CommandSpec spec) {
     return new ParameterException(

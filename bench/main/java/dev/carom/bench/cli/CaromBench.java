@@ -96,7 +96,7 @@ public final class CaromBench {
   }
 
   private static boolean isCommand(String word) {
-    return commandLine().getSubcommands().containsKey(word);
+    return commandLine().getSubcommands().containsKey(word) || MeasureCommand.SERIES.contains(word);
   }
 
   private static void tellVersion(CommandLine line) {
@@ -107,9 +107,10 @@ public final class CaromBench {
   /** The command line in full: {@code help}, options alone, and series by their names alone. */
   static String[] words(String... args) {
     Deque<String> words = new ArrayDeque<>(List.of(args));
-    if (args.length > 0
-        && args[0].equals("help")
-        && (args.length == 1 || isCommand(args[1]) || MeasureCommand.SERIES.contains(args[1]))) {
+    if (args.length > 0 && args[0].equals("help")) {
+      if (args.length > 1 && !isCommand(args[1])) {
+        return new String[] {args[1]}; // which is refused
+      }
       words.add("--help");
       words.remove();
     }
@@ -125,15 +126,35 @@ public final class CaromBench {
   private static int explainUsage(ParameterException e) {
     CommandLine commandLine = e.getCommandLine();
     String command = commandLine.getCommandSpec().qualifiedName();
-    String message = e.getMessage() + suggestions(e);
+    String message =
+        e instanceof UnmatchedArgumentException unmatched
+            ? explain(unmatched) + suggestions(unmatched)
+            : e.getMessage();
     commandLine.getErr().printf("%s: %s (see %s --help)%n", command, message, command);
     return CommandLine.ExitCode.USAGE;
   }
 
+  private static String explain(UnmatchedArgumentException unmatched) {
+    if (unmatched.isUnknownOption()) {
+      return unmatched.getMessage();
+    }
+    String word = unmatched.getUnmatched().get(0);
+    CommandLine commandLine = unmatched.getCommandLine();
+    return commandLine.getSubcommands().isEmpty()
+        ? "'" + word + "' is one word too many"
+        : expected(commandLine, "is " + word);
+  }
+
+  /** A message about the command that a command line lacks, or has wrong. */
+  static String expected(CommandLine commandLine, String found) {
+    String label = commandLine.getCommandSpec().usageMessage().synopsisSubcommandLabel();
+    return "%s %s: expected one of %s"
+        .formatted(label.replaceAll("\\W", ""), found, commandLine.getSubcommands().keySet());
+  }
+
   /** The words that come nearest to one that is unknown. */
-  private static String suggestions(ParameterException e) {
-    if (!(e instanceof UnmatchedArgumentException unmatched)
-        || unmatched.getSuggestions().isEmpty()) {
+  private static String suggestions(UnmatchedArgumentException unmatched) {
+    if (unmatched.getSuggestions().isEmpty()) {
       return "";
     }
     Stream<String> nearest = unmatched.getSuggestions().stream().limit(MOST_SUGGESTIONS);

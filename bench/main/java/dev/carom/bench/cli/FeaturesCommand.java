@@ -12,6 +12,7 @@ import dev.carom.bench.series.Heaps;
 import java.util.List;
 import picocli.CommandLine.Command;
 import picocli.CommandLine.Option;
+import picocli.CommandLine.ParameterException;
 
 /** Measures the cost of each thing that a scene uses. */
 @Command(
@@ -21,7 +22,8 @@ import picocli.CommandLine.Option;
       "In time a frame and in memory: circles alone, walls, lines, sensors, a recording,"
           + " bounds of the errors, edits, collisions; and 100 lines that move among 10,000, beside as many that rest;"
           + " gravity, also of 10,000 circles, and of a gas of 1,000.",
-      "In 101 rounds of 600 frames (60 of the scenes with most circles), after 2000 ms to warm up."
+      "In 101 rounds of 600 frames (60 of the scenes with most circles), after 2000 ms to warm"
+          + " up. Takes minutes."
     },
     footer = {
       "",
@@ -33,6 +35,10 @@ import picocli.CommandLine.Option;
 final class FeaturesCommand extends SeriesCommand {
 
   private static final int LEAST_HEAP = 10;
+
+  /** Heaps are played one after the other, and no chart shows them. */
+  private static final List<String> FEATURES_ONLY =
+      List.of("--turns", "--pictures", "--no-memory");
 
   private static final int ROUNDS = 101;
   private static final int WARM_UP_MILLIS = 2000;
@@ -55,6 +61,12 @@ final class FeaturesCommand extends SeriesCommand {
     warmUpMillis(WARM_UP_MILLIS);
     if (heaps != null) {
       Bounded.atLeast(LEAST_HEAP, "--heaps", heaps, spec);
+      for (String option : FEATURES_ONLY) {
+        if (spec.commandLine().getParseResult().hasMatchedOption(option)) {
+          throw new ParameterException(
+              spec.commandLine(), "--heaps and " + option + " exclude each other");
+        }
+      }
     }
   }
 

@@ -255,7 +255,7 @@ final class FuzzCommand implements Callable<Integer> {
           ? new Gas(circles == null ? 1_000 : circles, PACKING, 1, false, seed).scene()
           : new Crosses(circles == null ? 100 : circles, 50, 10, 1, 10, seed).scene();
     } catch (IllegalArgumentException e) {
-      throw new ParameterException(spec.commandLine(), e.getMessage(), e);
+      throw Bounded.refused(e, spec);
     }
   }
 

@@ -20,7 +20,6 @@ import picocli.CommandLine.Command;
 import picocli.CommandLine.Mixin;
 import picocli.CommandLine.Model.CommandSpec;
 import picocli.CommandLine.Option;
-import picocli.CommandLine.ParameterException;
 import picocli.CommandLine.Spec;
 
 /** Plays a gas of circles that collide, and tells how fast and how well energy is kept. */
@@ -103,12 +102,12 @@ final class GasCommand implements Callable<Integer> {
 
   @Option(
       names = "--steady",
-      paramLabel = "COLLISIONS",
+      paramLabel = "N",
       arity = "0..1",
       fallbackValue = "1000000",
       description =
           "Time the steady state instead: one world, as many rounds as --rounds, each of at least"
-              + " so many collisions (default: ${FALLBACK-VALUE}), after a warm-up of 5 for each"
+              + " N collisions (default: ${FALLBACK-VALUE}), after a warm-up of 5 for each"
               + " circle and at least 3,000,000; tells the median, least and most of the rounds.")
   private Integer steady;
 
@@ -127,6 +126,7 @@ final class GasCommand implements Callable<Integer> {
       Bounded.atLeast(1, "--steady", steady, spec);
     }
     Scene scene = scene();
+    files.expectOther("--save", save);
     files.prepare();
     if (save != null) {
       scene.write(save);
@@ -143,7 +143,7 @@ final class GasCommand implements Callable<Integer> {
           ? new MixedGas(circles, packing, spread, heavy, seed).scene()
           : new Gas(circles, packing, spread, heavy, seed).scene();
     } catch (IllegalArgumentException e) {
-      throw new ParameterException(spec.commandLine(), e.getMessage(), e);
+      throw Bounded.refused(e, spec);
     }
   }
 

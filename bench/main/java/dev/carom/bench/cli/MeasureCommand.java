@@ -2,7 +2,12 @@
 package dev.carom.bench.cli;
 
 import java.util.Set;
+import java.util.concurrent.Callable;
+import picocli.CommandLine;
 import picocli.CommandLine.Command;
+import picocli.CommandLine.Model.CommandSpec;
+import picocli.CommandLine.ParameterException;
+import picocli.CommandLine.Spec;
 
 /** Measures one of the series; each is a subcommand with options of its own. */
 @Command(
@@ -21,10 +26,18 @@ import picocli.CommandLine.Command;
       GasCommand.class,
       ThreadsCommand.class
     })
-final class MeasureCommand {
+final class MeasureCommand implements Callable<Integer> {
 
   static final String NAME = "measure";
 
   /** The series: their names are commands, too. */
   static final Set<String> SERIES = Set.of("sweep", "scale", "features", "gas", "threads");
+
+  @Spec private CommandSpec spec;
+
+  @Override
+  public Integer call() {
+    CommandLine line = spec.commandLine();
+    throw new ParameterException(line, CaromBench.expected(line, "is missing"));
+  }
 }

@@ -62,7 +62,7 @@ final class ReferenceCommand implements Callable<Integer> {
       paramLabel = "N",
       defaultValue = "30",
       description =
-          "Digits behind the point, with --scene; at most 39000 (default: ${DEFAULT-VALUE}).")
+          "Digits behind the point, with --scene; at most 39,000 (default: ${DEFAULT-VALUE}).")
   private int digits;
 
   @Option(

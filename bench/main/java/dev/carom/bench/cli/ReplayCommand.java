@@ -60,7 +60,7 @@ final class ReplayCommand implements Callable<Integer> {
       names = "--warm-up",
       paramLabel = "MS",
       defaultValue = "1500",
-      description = "How long each of them plays before (default: ${DEFAULT-VALUE}).")
+      description = "How long each of them plays before it is measured (default: ${DEFAULT-VALUE}).")
   private int warmUpMillis;
 
   @Mixin private RowFiles files;
@@ -75,8 +75,8 @@ final class ReplayCommand implements Callable<Integer> {
       names = "--demand",
       paramLabel = "HASH",
       description =
-          "Fail if Carom's run of the scene has another hash, 'hash --frames' tells which; before"
-              + " anything is measured.")
+          "Fail before anything is measured if Carom's run of the scene has another hash;"
+              + " 'hash --frames' prints it.")
   private String demanded;
 
   @Override

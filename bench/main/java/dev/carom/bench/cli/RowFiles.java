@@ -44,10 +44,10 @@ final class RowFiles {
     }
   }
 
-  /** Refuses to write to a file that is read. */
-  void expectOther(String option, Path read) throws IOException {
-    OutputFile.expectOther("--csv", csv, option, read, spec);
-    OutputFile.expectOther("--json", json, option, read, spec);
+  /** Refuses to write to a file that another option names. */
+  void expectOther(String option, Path other) throws IOException {
+    OutputFile.expectOther("--csv", csv, option, other, spec);
+    OutputFile.expectOther("--json", json, option, other, spec);
   }
 
   /** Writes the rows, and returns them with where they come from. */

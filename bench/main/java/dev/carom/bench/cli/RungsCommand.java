@@ -19,9 +19,9 @@ import picocli.CommandLine.Spec;
     name = "rungs",
     description = {
       "Counts how often double-double and exact numbers were needed.",
-      "By family of queries: how many plain doubles decide, how many double-double,"
-          + " how many exact numbers; and which of the latter two rounds the time of an"
-          + " impact after time 0. Takes seconds."
+      "By family of queries: how many plain doubles decide, how many double-double or sums"
+          + " without rounding, how many exact numbers. Also: whether double-double or exact"
+          + " numbers round the time of an impact after time 0. Takes seconds."
     },
     footer = {"", "Example: carom-bench rungs --queries 1000"},
     mixinStandardHelpOptions = true,

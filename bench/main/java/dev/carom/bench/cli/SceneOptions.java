@@ -121,7 +121,7 @@ final class SceneOptions {
     try {
       return new Crosses(circles, crosses, radius, speeds.least(), speeds.most(), seed);
     } catch (IllegalArgumentException e) {
-      throw usage(e.getMessage());
+      throw Bounded.refused(e, spec);
     }
   }
 

@@ -43,7 +43,7 @@ abstract class SeriesCommand implements Callable<Integer> {
 
   @Option(
       names = "--warm-up",
-      paramLabel = "MILLIS",
+      paramLabel = "MS",
       description = "How long they play before anything is measured (default: see above).")
   private Integer warmUpMillis;
 
@@ -79,7 +79,7 @@ abstract class SeriesCommand implements Callable<Integer> {
       OutputFile.prepareFolder(pictures);
     }
     Results results = files.write(Map.of(spec.name(), seed), isQuick(), measure());
-    spec.commandLine().getOut().print(text(results));
+    spec.commandLine().getOut().print(text(results).replace('\u00b5', 'u')); // in any encoding
     spec.commandLine().getOut().flush();
     if (pictures != null) {
       for (Figure figure : figures(results)) {

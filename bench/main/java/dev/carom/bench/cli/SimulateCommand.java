@@ -22,7 +22,7 @@ import picocli.CommandLine.Spec;
     },
     footer = {
       "",
-      "Example: carom-bench simulate --scene scene.csv --frames 600 --impacts impacts.csv"
+      "Example: carom-bench simulate --scene scene.csv --frames 600 --impacts out.csv"
     },
     mixinStandardHelpOptions = true,
     sortOptions = false)

@@ -38,7 +38,7 @@ final class SweepCommand extends SeriesCommand {
       description = "Frames of one replay (default: ${DEFAULT-VALUE}).")
   private int frames;
 
-  @Option(names = "--quick", description = "A few scenes only: seconds instead of a minute.")
+  @Option(names = "--quick", description = "A few scenes only, in fewer rounds: seconds.")
   private boolean quick;
 
   private SweepPlan plan;

@@ -26,11 +26,12 @@ import picocli.CommandLine.Spec;
     description = {
       "Times a scene on one thread, and split over several.",
       "Its circles must ignore each other. The two take turns. Each thread has a"
-          + " world of its own, and all meet after each frame."
+          + " world of its own, and all meet after each frame. Takes a second, and longer for"
+          + " larger scenes."
     },
     footer = {
       "",
-      "Example: carom-bench measure threads --circles 100000 --crosses 50000 --frames 30"
+      "Example: carom-bench measure threads --circles 9999 --crosses 5000 --frames 30"
     },
     mixinStandardHelpOptions = true,
     sortOptions = false)
@@ -46,7 +47,7 @@ final class ThreadsCommand implements Callable<Integer> {
       names = "--threads",
       paramLabel = "N",
       defaultValue = "2",
-      description = "How many (default: ${DEFAULT-VALUE}).")
+      description = "How many threads share the scene (default: ${DEFAULT-VALUE}).")
   private int threads;
 
   @Option(
@@ -90,13 +91,13 @@ final class ThreadsCommand implements Callable<Integer> {
     return 0;
   }
 
-  /** Microseconds per frame. */
+  /** Nanoseconds per frame. */
   private double time(World world) {
     long begin = System.nanoTime();
     for (int i = 0; i < frames; i++) {
       world.step(1);
     }
-    return (System.nanoTime() - begin) / 1e3 / frames;
+    return (double) (System.nanoTime() - begin) / frames;
   }
 
   private double time(SplitWorld world) throws InterruptedException, ExecutionException {
@@ -105,7 +106,7 @@ final class ThreadsCommand implements Callable<Integer> {
     for (int i = 1; i <= frames; i++) {
       while (!world.advanceTo(now + i)) {} // unfinished: go on
     }
-    return (System.nanoTime() - begin) / 1e3 / frames;
+    return (double) (System.nanoTime() - begin) / frames;
   }
 
   private static double median(double... sorted) {
@@ -120,8 +121,8 @@ final class ThreadsCommand implements Callable<Integer> {
         Map.of(),
         false,
         Stream.of(
-                rows("frame_time", "threads=1", "us", alone),
-                rows("frame_time", "threads=" + threads, "us", together),
+                rows("frame_time", "threads=1", "ns", alone),
+                rows("frame_time", "threads=" + threads, "ns", together),
                 rows("threads_ratio", "threads=" + threads, "1", ratios))
             .flatMap(List::stream)
             .toList());
@@ -129,14 +130,14 @@ final class ThreadsCommand implements Callable<Integer> {
         .getOut()
         .printf(
             Locale.ROOT,
-            "scene     %s%nrun       %s of %s each, in turns%n%s%s%s"
-                + "fastest   %.2f, of the fastest round of each%n",
+            "scene         %s%nrun           %s of %s each, in turns%n%s%s%s"
+                + "fastest       %.2f, of the fastest round of each%n",
             scenes.name(),
             Counted.of(rounds, "round"),
             Counted.of(frames, "frame"),
-            line("1 thread", "us per frame", alone),
-            line(Counted.of(threads, "thread"), "us per frame", together),
-            line("ratio", "of a round on one thread to the next one, split", ratios),
+            line(Counted.of(1, "thread"), 1e3, "us per frame", alone),
+            line(Counted.of(threads, "thread"), 1e3, "us per frame", together),
+            line("ratio", 1, "of a round on one thread to the next one, split", ratios),
             alone[0] / together[0]);
     spec.commandLine().getOut().flush();
   }
@@ -152,14 +153,14 @@ final class ThreadsCommand implements Callable<Integer> {
     return new Row(scenes.name(), "carom", knob, metric, stat, value, unit, rounds, 0);
   }
 
-  private static String line(String name, String what, double... sorted) {
+  private static String line(String name, double unit, String what, double... sorted) {
     return String.format(
         Locale.ROOT,
-        "%-10s%,.2f %s, the median (%,.2f .. %,.2f)%n",
+        "%-14s%,.2f %s, the median (%,.2f .. %,.2f)%n",
         name,
-        median(sorted),
+        median(sorted) / unit,
         what,
-        sorted[0],
-        sorted[sorted.length - 1]);
+        sorted[0] / unit,
+        sorted[sorted.length - 1] / unit);
   }
 }

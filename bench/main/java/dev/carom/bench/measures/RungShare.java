@@ -6,11 +6,11 @@ import java.util.List;
 
 /**
  * How many queries each rung of precision answered. A query counts for the highest rung that one of
- * its decisions, or the rounding of its time, needed.
+ * its decisions needed. The rounding of its time is counted apart.
  *
  * @param family the kind of queries
  * @param plain decided by plain doubles
- * @param doubleDouble decided by double-double
+ * @param doubleDouble decided by double-double, or by sums without rounding
  * @param exact decided by exact numbers
  * @param times the queries with an impact after time 0, whose time was to be rounded
  * @param exactTimes of them, those that exact numbers rounded; double-double did the others

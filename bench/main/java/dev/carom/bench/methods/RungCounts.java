@@ -8,7 +8,7 @@ import dev.carom.internal.exact.PrecisionCounters;
  * export; the harness reads them on the class path.
  *
  * @param doubtfulDecisions decisions that plain doubles left open
- * @param exactDecisions of them, those that double-double left open too
+ * @param exactDecisions of them, those that sums without rounding left open too
  * @param roots square roots of doubles
  * @param exactTimes times of impact that double-double could not round
  * @param pairTests how often a world looked at a circle and a line or peg together

@@ -60,12 +60,13 @@ class CaromBenchTest {
   @CsvSource(
       delimiter = '|',
       value = {
-        "nosuch                         | Unmatched argument at index 0: 'nosuch'",
+        "nosuch                         | COMMAND is nosuch: expected one of [replay, report, measure,",
+        "sweep extra                    | 'extra' is one word too many",
         "replay --frames x              | '--frames': 'x' is not an int",
         "replay --frames 0              | --frames is 0: expected at least 1",
         "replay --forks 0               | --forks is 0: expected at least 1",
-        "--circles 0                    | circles is 0: expected at least 1",
-        "replay --radius NaN            | radius is NaN: expected more than 0 and at most 300",
+        "--circles 0                    | --circles is 0: expected at least 1",
+        "replay --radius NaN            | --radius is NaN: expected more than 0 and at most 300",
         "replay --speed 10..1           | highest speed is 1.0: expected a finite number",
         "replay --speed fast            | 'fast' is not a speed, or a range such as 1..10",
         "replay --scene a.csv --seed 2  | --scene and --seed exclude each other",
@@ -75,7 +76,8 @@ class CaromBenchTest {
         "rungs --queries 0              | --queries is 0: expected at least 1",
         "reference --scene a --digits 100000000 | --digits is 100000000: expected at most 39000",
         "view --png a.png --against box2d       | --png draws one side: --against and --record ex",
-        "help nosuch                    | Unmatched arguments from index 0: 'help', 'nosuch'",
+        "help nosuch                    | COMMAND is nosuch: expected one of [replay, report,",
+        "help --circles 5               | Unknown option: '--circles'",
         "view --dt 0                    | --dt is 0.0: expected a finite number",
         "threads --threads 0            | --threads is 0: expected at least 1",
         "example nosuch                 | 'nosuch' is none of [breakout, billiards, gas, aim, sinai",
@@ -88,9 +90,11 @@ class CaromBenchTest {
         "rungs --csv a.b --json ./a.b   | --json is ./a.b: expected another file than --csv",
         "fuzz --impacts 10              | --impacts is 10: expected at least 100000",
         "fuzz --gas                     | --gas needs --impacts",
-        "fuzz --impacts 100000 --circles 0 | circles is 0: expected at least 1",
+        "fuzz --impacts 100000 --circles 0 | --circles is 0: expected at least 1",
         "fuzz --impacts 100000 --scene heaps | 'heaps' is none of [trapped, pockets, masses, doors, heap, bumpers, fall, pile, plinko]",
-        "measure                        | Missing required subcommand",
+        "measure                        | SERIES is missing: expected one of [sweep, scale, features, gas, threads]",
+        "measure nosuch                 | SERIES is nosuch: expected one of [sweep, scale, features, gas, threads]",
+        "gas --packing 2                | --packing is 2.0: expected more than 0 and less than 1",
         "replay --speed NaN             | 'NaN' is not a speed, or a range such as 1..10",
         "replay --speed 1..Infinity     | '1..Infinity' is not a speed, or a range such as",
         "hash --frames 2 --long         | --frames and --long exclude each other",
@@ -186,10 +190,10 @@ class CaromBenchTest {
   @CsvSource(
       delimiter = '|',
       value = {
-        "repla                      | 'repla'; did you mean replay",
+        "repla                      | hash, fuzz, jmh]; did you mean replay",
         "gas --circels 5            | '--circels', '5'; did you mean --circles",
         "sweep --replay 3           | '--replay', '3'; did you mean --replays",
-        "xyzxyz                     | 'xyzxyz' (see"
+        "xyzxyz                     | hash, fuzz, jmh] (see"
       })
   void aWordThatIsNearlyRightIsNamed(String words, String message) {
     Cli run = Cli.run((Object[]) words.split(" "));
