@@ -73,15 +73,15 @@ public final class Snapshot {
    * Writes this snapshot in a format of its own, with a version and a check sum.
    *
    * <p>It takes 105 bytes a circle, 41 a line, 33 a peg, 52 more for each line or peg that moves or
-   * moved before, 1 for each that was removed, and 145 for the rest, 113 without bounds. Some states
-   * of one circle make all circles larger:
+   * moved before, 1 for each that was removed, and 145 for the rest, 113 without bounds. Some
+   * states of one circle make all circles larger:
    *
    * <ul>
    *   <li>If any circle falls, slides or rests, all take 32 more.
    *   <li>If a sensor reported another circle in the present flight of any, all take 24 more.
    *   <li>If any circle is jammed, all take 4 more, and 4 for each thing that they are jammed by.
-   *   <li>If any circle, line or peg has a {@linkplain SceneBuilder#filter filter} of its own, all of
-   *       its kind take 8 more.
+   *   <li>If any circle, line or peg has a {@linkplain SceneBuilder#filter filter} of its own, all
+   *       of its kind take 8 more.
    * </ul>
    *
    * @param out where to write, buffered for speed; it is neither flushed nor closed

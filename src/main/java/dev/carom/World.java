@@ -1131,8 +1131,8 @@ public final class World {
 
   /**
    * Records from now on where each thing is, and returns the timeline that tells it. The timeline
-   * goes back as far as the duration, but not beyond this call. A recording that was going on stops,
-   * and its timeline stays as it is.
+   * goes back as far as the duration, but not beyond this call. A recording that was going on
+   * stops, and its timeline stays as it is.
    *
    * <p>Times between {@link Timeline#start} and {@link Timeline#end} are known. The start is the
    * present time at first, and {@code now() - duration} once that is later. An earlier time is

@@ -17,6 +17,7 @@ import java.nio.file.Files;
 import java.nio.file.Path;
 import java.time.Duration;
 import java.util.Arrays;
+import java.util.Locale;
 import java.util.Random;
 import java.util.zip.CRC32;
 import org.junit.jupiter.api.Assertions;
@@ -87,8 +88,15 @@ class SnapshotStreamTest {
         .contains("in the present flight of any, all take " + sensed() / 2 + " more");
     String recipes = "main/javadoc/dev.carom/dev/carom/doc-files/recipes.html";
     assertThat(Files.readString(Path.of(recipes)))
-        .contains(String.format(Locale.ROOT, "takes %,d bytes: %d a circle", 1000 * circle + rest, circle))
-        .contains(String.format(Locale.ROOT, "%,d: %d a circle", 1000 * (circle + falling) + rest, circle + falling));
+        .contains(
+            String.format(
+                Locale.ROOT, "takes %,d bytes: %d a circle", 1000 * circle + rest, circle))
+        .contains(
+            String.format(
+                Locale.ROOT,
+                "%,d: %d a circle",
+                1000 * (circle + falling) + rest,
+                circle + falling));
   }
 
   /** How many bytes more two circles take once one of them is a sensor that reported the other. */

@@ -37,8 +37,7 @@ final class FeaturesCommand extends SeriesCommand {
   private static final int LEAST_HEAP = 10;
 
   /** Heaps are played one after the other, and no chart shows them. */
-  private static final List<String> FEATURES_ONLY =
-      List.of("--turns", "--pictures", "--no-memory");
+  private static final List<String> FEATURES_ONLY = List.of("--turns", "--pictures", "--no-memory");
 
   private static final int ROUNDS = 101;
   private static final int WARM_UP_MILLIS = 2000;

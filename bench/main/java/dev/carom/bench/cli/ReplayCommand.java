@@ -60,7 +60,8 @@ final class ReplayCommand implements Callable<Integer> {
       names = "--warm-up",
       paramLabel = "MS",
       defaultValue = "1500",
-      description = "How long each of them plays before it is measured (default: ${DEFAULT-VALUE}).")
+      description =
+          "How long each of them plays before it is measured (default: ${DEFAULT-VALUE}).")
   private int warmUpMillis;
 
   @Mixin private RowFiles files;

@@ -20,10 +20,7 @@ import picocli.CommandLine.Spec;
       "Plays a scene and writes positions and impacts.",
       "Times count in the scene's own unit from 0; frame k ends at k times the length of a frame."
     },
-    footer = {
-      "",
-      "Example: carom-bench simulate --scene scene.csv --frames 600 --impacts out.csv"
-    },
+    footer = {"", "Example: carom-bench simulate --scene scene.csv --frames 600 --impacts out.csv"},
     mixinStandardHelpOptions = true,
     sortOptions = false)
 final class SimulateCommand implements Callable<Integer> {

@@ -32,6 +32,9 @@ final class Grip {
   /** A mouse that rested for so long before it let go throws nothing. */
   private static final long STILL = 120_000_000;
 
+  /** The time after which a motion of the mouse weighs less by e: some three of its events. */
+  private static final double FADE = 50e6;
+
   private final Player player;
   private final Part part;
   private final int id;
@@ -41,7 +44,11 @@ final class Grip {
 
   private Vec2 last;
   private Vec2 place;
-  private Vec2 pace = Vec2.ZERO;
+
+  /** The way of the mouse and its time in nanoseconds; what is longer ago weighs less. */
+  private Vec2 way = Vec2.ZERO;
+
+  private double time;
   private long moved;
   private boolean carried;
 
@@ -118,15 +125,20 @@ final class Grip {
   void drag(Vec2 to, long nanos) {
     Vec2 by = new Vec2(to.x() - last.x(), to.y() - last.y());
     last = to;
-    double ticks = Math.max(1, nanos - moved) / NANOS_A_TICK;
-    Vec2 now = new Vec2(by.x() / ticks, by.y() / ticks);
-    // The mean with the motion before: single events of a mouse are rough.
-    pace =
-        nanos - moved > STILL
-            ? Vec2.ZERO
-            : new Vec2((pace.x() + now.x()) / 2, (pace.y() + now.y()) / 2);
+    remember(by, nanos - moved);
     moved = nanos;
     move(by);
+  }
+
+  private void remember(Vec2 by, long nanos) {
+    if (nanos > STILL) {
+      way = Vec2.ZERO;
+      time = 0;
+      return;
+    }
+    double weight = Math.exp(-nanos / FADE);
+    way = new Vec2(weight * way.x() + by.x(), weight * way.y() + by.y());
+    time = weight * time + nanos;
   }
 
   private void move(Vec2 by) {
@@ -161,9 +173,11 @@ final class Grip {
     if (part != Part.CIRCLE) {
       return;
     }
-    boolean thrown = nanos - moved <= STILL && !pace.equals(Vec2.ZERO);
+    boolean thrown = nanos - moved <= STILL && !way.equals(Vec2.ZERO);
     if (thrown) {
-      player.throwCircle(id, pace.x() / player.frame(), pace.y() / player.frame());
+      // Events that come late come several at one moment: their own time would be far too short.
+      double ticks = Math.max(FADE, time) / NANOS_A_TICK * player.frame();
+      player.throwCircle(id, way.x() / ticks, way.y() / ticks);
     } else if (carried) {
       player.throwCircle(id, velocity.x(), velocity.y());
     }

@@ -253,9 +253,21 @@ class PlayerTest {
       grip.drag(new Vec2(50 + 0.5 * i, 30), i * tick);
     }
     grip.release(30 * tick);
-    // A tick is cut to whole nanoseconds: by up to 4e-8 of itself.
-    assertThat(player.scene().velocity(0).x()).isCloseTo(0.5, offset(0.5 * 4e-8));
+    double cut = 1e9 / 60 / tick; // to whole nanoseconds
+    assertThat(player.scene().velocity(0).x()).isCloseTo(0.5 * cut, offset(1e-12));
     assertThat(player.scene().velocity(0).y()).isZero();
+  }
+
+  /** A busy machine hands over ten motions of 6 in 160 ms as ten at one moment. */
+  @Test
+  void motionsThatComeAllAtOnceThrowNoFasterThanTheirWayInThreeTicks() {
+    Grip grip = Grip.at(player, new Vec2(50, 30), 2);
+    grip.drag(new Vec2(50, 30), 1_000_000_000);
+    for (int i = 1; i <= 10; i++) {
+      grip.drag(new Vec2(50 + 0.6 * i, 30), 1_000_000_000 + i);
+    }
+    grip.release(1_000_000_100);
+    assertThat(player.scene().velocity(0).x()).isCloseTo(6 / 3.0, offset(1e-6));
   }
 
   @Test
