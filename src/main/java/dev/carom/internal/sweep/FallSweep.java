@@ -47,7 +47,7 @@ public final class FallSweep {
       return straightTime(f, straightContact(f), T);
     }
     PrecisionCounters.parabola();
-    double time = DirectHit.time(f, about, T);
+    double time = DirectHit.time(f, about, T < NEVER ? T : reach(f));
     if (Double.isNaN(time)) {
       time = searched(f, GapSearch.FIRST, 0, T);
     }
