@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 package dev.carom.bench;
 
+import static java.nio.file.StandardOpenOption.CREATE;
+import static java.nio.file.StandardOpenOption.WRITE;
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.junit.jupiter.api.Assumptions.assumeFalse;
 
@@ -13,6 +15,8 @@ import java.awt.Robot;
 import java.awt.Window;
 import java.awt.event.InputEvent;
 import java.io.File;
+import java.nio.channels.FileChannel;
+import java.nio.file.Path;
 import java.util.Arrays;
 import java.util.concurrent.Callable;
 import java.util.concurrent.ExecutionException;
@@ -39,13 +43,18 @@ public final class Screen {
   private static final long LIMIT_NANOS = TimeUnit.SECONDS.toNanos(30);
   private static final int PAUSE_MILLIS = 16;
 
+  /** Locked while a window is open: one virtual machine at a time has the mouse and the keys. */
+  private static final Path LOCK =
+      Path.of(System.getProperty("java.io.tmpdir"), "carom-screen.lock");
+
   private final Robot robot = new Robot();
+  private final FileChannel lock = FileChannel.open(LOCK, CREATE, WRITE);
   private final JFrame frame;
 
   private Screen(Callable<JFrame> window) throws Exception {
+    lock.lock();
     robot.setAutoDelay(PAUSE_MILLIS);
     frame = get(() -> show(window));
-    until(() -> assertThat(frame.isFocused()).as("focused").isTrue());
   }
 
   private static JFrame show(Callable<JFrame> window) throws Exception {
@@ -61,11 +70,19 @@ public final class Screen {
    */
   public static Screen open(Callable<JFrame> window) throws Exception {
     assumeFalse(GraphicsEnvironment.isHeadless(), "no screen: nothing can be opened");
-    return new Screen(window);
+    Screen screen = new Screen(window);
+    try {
+      screen.until(() -> assertThat(screen.frame.isFocused()).as("focused").isTrue());
+      return screen;
+    } catch (Exception e) {
+      screen.close();
+      throw e;
+    }
   }
 
   public void close() throws Exception {
     EventQueue.invokeAndWait(frame::dispose);
+    lock.close();
   }
 
   public JFrame frame() {

@@ -31,7 +31,6 @@ class PicturesTest {
 
   @BeforeAll
   static void writeTwice() throws IOException {
-    System.setProperty("java.awt.headless", "true");
     first = temp.resolve("new/first");
     second = temp.resolve("second");
     Pictures.write(scene(), 10, nanos(), BUDGET, first);

@@ -6,16 +6,10 @@ import static org.assertj.core.api.Assertions.assertThat;
 import dev.carom.bench.charts.Panel;
 import java.nio.charset.StandardCharsets;
 import java.util.List;
-import org.junit.jupiter.api.BeforeAll;
 import org.junit.jupiter.api.Test;
 
 /** Captions and titles follow from the data. */
 class FiguresOfReportTest {
-
-  @BeforeAll
-  static void headless() {
-    System.setProperty("java.awt.headless", "true");
-  }
 
   private static Figure figure(Sample sample, String id) {
     return Report.figures(sample.results()).stream()

@@ -30,7 +30,6 @@ class ReportTest {
 
   @BeforeAll
   static void write() throws IOException, URISyntaxException {
-    System.setProperty("java.awt.headless", "true");
     stored = ResultsJson.read(Path.of(ReportTest.class.getResource("results.json").toURI()));
     Report.write(stored, dir);
     page = Files.readString(dir.resolve(Report.PAGE));

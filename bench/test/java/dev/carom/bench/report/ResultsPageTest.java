@@ -8,18 +8,12 @@ import dev.carom.bench.results.ResultsJson;
 import java.io.IOException;
 import java.nio.file.Path;
 import java.util.regex.Pattern;
-import org.junit.jupiter.api.BeforeAll;
 import org.junit.jupiter.api.Test;
 
 /** The page beside the stored results is what they say: stale numbers fail. */
 class ResultsPageTest {
 
   private static final Path ROOT = Path.of("..");
-
-  @BeforeAll
-  static void headless() {
-    System.setProperty("java.awt.headless", "true");
-  }
 
   @Test
   void thePageOfTheResultsIsThatOfTheCommittedResults() throws IOException {
