@@ -202,7 +202,9 @@ public final class CircleTable extends FlightTable {
     FlightRow.get(m, s, k);
     m.restitution = s[k + RESTITUTION];
     getPast(m, c, collidingCodesAt(i));
-    getRare(i, m);
+    if (mayBeRare(m)) {
+      getRare(i, m);
+    }
     m.filter = filter(i);
   }
 
@@ -222,6 +224,8 @@ public final class CircleTable extends FlightTable {
   public void storeNewFlight(double[] s, int[] c, int i, MovingCircle m) {
     m.newFlight();
     putFlight(m, s, collidingAt(i), c, collidingCodesAt(i));
-    putRare(i, m);
+    if (mayBeRare(m)) {
+      putRare(i, m);
+    }
   }
 }

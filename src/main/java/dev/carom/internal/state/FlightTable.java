@@ -220,6 +220,14 @@ public class FlightTable {
     ContactWord.recall(codes[c + CONTACT], m);
   }
 
+  /**
+   * Whether a circle of this table may have anything in a column that exists only if needed, though
+   * no sensor reported it in this flight. Without gravity only a jammed one has.
+   */
+  final boolean mayBeRare(MovingCircle m) {
+    return hasRare || m.jam != null;
+  }
+
   /** Writes the columns that exist only if needed. */
   final void putRare(int i, MovingCircle m) {
     if (hasRare || m.isRare()) {

@@ -9,13 +9,16 @@ import java.util.Arrays;
  */
 final class TraitColumns {
 
-  private byte[] flags = new byte[0];
-  private long[] filters = new long[0];
+  private static final byte[] NO_FLAGS = {};
+  private static final long[] NO_FILTERS = {};
+
+  private byte[] flags = NO_FLAGS;
+  private long[] filters = NO_FILTERS;
 
   TraitColumns copy() {
     TraitColumns copy = new TraitColumns();
-    copy.flags = flags.clone();
-    copy.filters = filters.clone();
+    copy.flags = areFlagged() ? flags.clone() : flags;
+    copy.filters = areFiltered() ? filters.clone() : filters;
     return copy;
   }
 
@@ -34,17 +37,17 @@ final class TraitColumns {
   }
 
   long filter(int i) {
-    return i < filters.length ? filters[i] : Filter.DEFAULT;
+    return areFiltered() && i < filters.length ? filters[i] : Filter.DEFAULT;
   }
 
   /** Whether any thing may have a flag. */
   boolean areFlagged() {
-    return flags.length > 0;
+    return flags != NO_FLAGS;
   }
 
   /** Whether any thing may have a filter other than the default. */
   boolean areFiltered() {
-    return filters.length > 0;
+    return filters != NO_FILTERS;
   }
 
   void setFlags(int i, int its) {
