@@ -34,7 +34,7 @@ final class CollisionPredictor {
   private static final double OPEN = Double.NaN;
 
   // Bounds of b and discriminant, the same as in DiskSweep with more to spare.
-  static final double DOT_BOUND = 8 * 0x1p-53;
+  private static final double DOT_BOUND = 8 * 0x1p-53;
   private static final double DISCRIMINANT_BOUND = 16 * 0x1p-53;
 
   /**
@@ -53,7 +53,7 @@ final class CollisionPredictor {
    * d.d), errs by 5 u 2^10 of itself; g by 6 u 2^20, discriminant by 12 u 2^20, its root by half of
    * that.
    */
-  static final double WELL_CONDITIONED = 0x1p-20;
+  private static final double WELL_CONDITIONED = 0x1p-20;
 
   /** t = g / (sqrt(discriminant) - b) errs by less than 2^4 u 2^20 = 2^-29 of itself. */
   private static final double TIME_BOUND = 0x1p-28;
@@ -351,30 +351,54 @@ final class CollisionPredictor {
     if (!pairs.meet(i, j)) {
       return true;
     }
+    boolean alike = !falls || pair.fallAlike(i, j);
+    boolean silent = pairs.haveSilent() && pairs.isSilent(i, j);
+    double t = silent || !alike ? Double.NaN : roughTime(s, i, j);
+    int a = CircleTable.collidingAt(i);
+    double time = Math.max(s[a + FlightRow.T], s[CircleTable.collidingAt(j) + FlightRow.T]) + t;
+    double error = fma(t, TIME_BOUND, time * SUM_BOUND);
+    if (time - error > high) {
+      return true;
+    }
+    if (alike ? pairs.skips(circles, i, j) : pairs.areInert(circles, i, j)) {
+      return true;
+    }
+    if (time + error < s[a + CircleTable.MEETING]) {
+      setFirst(s, i, j, time - error, time + error, OPEN, Double.NEGATIVE_INFINITY);
+      return true;
+    }
+    return compareExactly(s, codes, i, j, before, silent);
+  }
+
+  /**
+   * The duration from the later start to the collision of two circles with the same acceleration;
+   * NaN in doubt.
+   */
+  private double roughTime(double[] s, int i, int j) {
     if (falls) {
-      return considerFalling(s, codes, i, j, before);
+      return pair.start(s, i, j) ? pair.roughTime() : Double.NaN;
     }
     int a = CircleTable.collidingAt(i);
     int c = CircleTable.collidingAt(j);
     // The first and the last column first: then compilers need not check the range of the rest.
     double xi = s[a + FlightRow.X];
-    double low = s[a + CircleTable.MEETING];
     double xj = s[c + FlightRow.X];
     double r = s[a + FlightRow.RADIUS] + s[c + FlightRow.RADIUS];
-    double ti = s[a + FlightRow.T];
-    double tj = s[c + FlightRow.T];
-    double later = (tj - ti) + (s[c + FlightRow.TL] - s[a + FlightRow.TL]);
+    double later =
+        (s[c + FlightRow.T] - s[a + FlightRow.T]) + (s[c + FlightRow.TL] - s[a + FlightRow.TL]);
     double ofI = positive(later);
     double ofJ = ofI - later;
-    double from = Math.max(ti, tj);
     double vxi = s[a + FlightRow.VX];
     double vyi = s[a + FlightRow.VY];
     double vxj = s[c + FlightRow.VX];
     double vyj = s[c + FlightRow.VY];
     double dx = fma(vxi, ofI, xi) - fma(vxj, ofJ, xj);
     double dy = fma(vyi, ofI, s[a + FlightRow.Y]) - fma(vyj, ofJ, s[c + FlightRow.Y]);
-    double ux = vxi - vxj;
-    double uy = vyi - vyj;
+    return roughTime(dx, dy, vxi - vxj, vyi - vyj, r);
+  }
+
+  /** The same from the offset d and the relative velocity u of the first circle. */
+  static double roughTime(double dx, double dy, double ux, double uy, double r) {
     double bx = ux * dx;
     double by = uy * dy;
     double b = bx + by;
@@ -388,47 +412,12 @@ final class CollisionPredictor {
     double discriminant = arr - cross * cross;
     double dd = dx * dx + dy * dy;
     double g = dd - rr;
-    boolean silent = pairs.haveSilent() && pairs.isSilent(i, j);
-    if (!silent
-        && b < -fma(DOT_BOUND, Math.abs(bx) + Math.abs(by), TimeOfImpact.TINY)
-        && discriminant > fma(WELL_CONDITIONED, arr + m * m, TimeOfImpact.TINY * (u2 + rr + m + 1))
-        && g > fma(WELL_CONDITIONED, dd + rr, TimeOfImpact.TINY)) {
-      double t = g / (Math.sqrt(discriminant) - b);
-      double time = from + t;
-      double error = fma(t, TIME_BOUND, time * SUM_BOUND);
-      if (time - error > high) {
-        return true;
-      }
-      if (time + error < low && !pairs.skips(circles, i, j)) {
-        setFirst(s, i, j, time - error, time + error, OPEN, Double.NEGATIVE_INFINITY);
-        return true;
-      }
-    }
-    return pairs.skips(circles, i, j) || compareExactly(s, codes, i, j, before, silent);
-  }
-
-  /** The same for circles that may have accelerations. */
-  private boolean considerFalling(double[] s, int[] codes, int i, int j, int before) {
-    boolean alike = pair.fallAlike(i, j);
-    if ((alike && pairs.skips(circles, i, j)) || pairs.areInert(circles, i, j)) {
-      return true;
-    }
-    boolean silent = pairs.haveSilent() && pairs.isSilent(i, j);
-    double t = alike && !silent && pair.start(s, i, j) ? pair.roughTime() : Double.NaN;
-    if (Double.isNaN(t)) {
-      return compareExactly(s, codes, i, j, before, silent);
-    }
-    int a = CircleTable.collidingAt(i);
-    double time = Math.max(s[a + FlightRow.T], s[CircleTable.collidingAt(j) + FlightRow.T]) + t;
-    double error = fma(t, TIME_BOUND, time * SUM_BOUND);
-    if (time - error > high) {
-      return true;
-    }
-    if (time + error < s[a + CircleTable.MEETING]) {
-      setFirst(s, i, j, time - error, time + error, OPEN, Double.NEGATIVE_INFINITY);
-      return true;
-    }
-    return compareExactly(s, codes, i, j, before, false);
+    boolean isCertain =
+        b < -fma(DOT_BOUND, Math.abs(bx) + Math.abs(by), TimeOfImpact.TINY)
+            && discriminant
+                > fma(WELL_CONDITIONED, arr + m * m, TimeOfImpact.TINY * (u2 + rr + m + 1))
+            && g > fma(WELL_CONDITIONED, dd + rr, TimeOfImpact.TINY);
+    return isCertain ? g / (Math.sqrt(discriminant) - b) : Double.NaN;
   }
 
   private void start(double[] s, int[] codes, int i) {
@@ -545,31 +534,24 @@ final class CollisionPredictor {
     int contact =
         known ? Contact.LATER : DiskSweep.contact(x1, y1, r1, vx1, vy1, x2, y2, r2, vx2, vy2);
     double tau = DiskSweep.time(contact, x1, y1, r1, vx1, vy1, x2, y2, r2, vx2, vy2, NEVER);
-    // The later start plus tau, as head and tail.
-    double t = s[late + FlightRow.T];
-    double sum = t + tau;
-    double l = sumTail(t, tau, sum) + s[late + FlightRow.TL];
-    found.tau = tau;
-    found.head = sum + l;
-    found.tail = sumTail(sum, l, found.head);
+    found.set(s, late, tau);
   }
 
   /** The same for circles that may have accelerations. */
   private void findFalling(MeetingTime found, double[] s, int i, int j, boolean known) {
     int low = Math.min(i, j);
     int high = Math.max(i, j);
-    double tau = NEVER;
+    found.tau = NEVER;
     if (pair.start(s, low, high)) {
+      int late = CircleTable.collidingAt(pair.later());
       boolean silent = pairs.haveSilent() && pairs.isSilent(low, high);
       boolean justMet = pairs.skips(circles, low, high);
-      tau = silent ? pair.timeAfter(-1) : pair.time(known, justMet, until(s, low, high));
-      keep(found, s, tau);
-      while (silent && tau < NEVER && !isEntered(found, i, j)) {
-        tau = pair.timeAfter(tau);
-        keep(found, s, tau);
+      double tau = silent ? pair.timeAfter(-1) : pair.time(known, justMet, until(s, low, high));
+      found.set(s, late, tau);
+      while (silent && found.tau < NEVER && !isEntered(found, i, j)) {
+        found.set(s, late, pair.timeAfter(found.tau));
       }
     }
-    found.tau = tau;
   }
 
   /**
@@ -582,17 +564,6 @@ final class CollisionPredictor {
     return end < NEVER ? Math.max(0, end - start + 4 * Math.ulp(end)) : NEVER;
   }
 
-  /** Keeps the later start of the pair plus tau, as head and tail. */
-  private void keep(MeetingTime found, double[] s, double tau) {
-    int late = CircleTable.collidingAt(pair.later());
-    double t = s[late + FlightRow.T];
-    double sum = t + tau;
-    double l = sumTail(t, tau, sum) + s[late + FlightRow.TL];
-    found.tau = tau;
-    found.head = sum + l;
-    found.tail = sumTail(sum, l, found.head);
-  }
-
   /**
    * The time of a collision: the duration from the start of the later flight, and the time as head
    * and tail.
@@ -601,5 +572,15 @@ final class CollisionPredictor {
     double tau;
     double head;
     double tail;
+
+    /** Sets it to tau after the start of the flight in the row at {@code late}. */
+    void set(double[] s, int late, double duration) {
+      double t = s[late + FlightRow.T];
+      double sum = t + duration;
+      double l = sumTail(t, duration, sum) + s[late + FlightRow.TL];
+      tau = duration;
+      head = sum + l;
+      tail = sumTail(sum, l, head);
+    }
   }
 }

@@ -9,7 +9,6 @@ import dev.carom.internal.sweep.DiskSweep;
 import dev.carom.internal.sweep.Fall;
 import dev.carom.internal.sweep.FallReturn;
 import dev.carom.internal.sweep.FallSweep;
-import dev.carom.internal.sweep.TimeOfImpact;
 
 /**
  * Two circles of which each may have an acceleration, at the start of the later of their flights.
@@ -89,33 +88,9 @@ final class FallingPair {
     return Math.abs(x1 - x2) + Math.abs(y1 - y2) < NEVER && r1 + r2 > 0;
   }
 
-  /**
-   * The duration from the later start to the collision of two circles with the same acceleration,
-   * by the bounds of {@link CollisionPredictor}; NaN in doubt.
-   */
+  /** See {@link CollisionPredictor#roughTime}. */
   double roughTime() {
-    double dx = x1 - x2;
-    double dy = y1 - y2;
-    double ux = vx1 - vx2;
-    double uy = vy1 - vy2;
-    double r = r1 + r2;
-    double b = ux * dx + uy * dy;
-    double terms = Math.abs(ux * dx) + Math.abs(uy * dy);
-    double area = Math.abs(ux * dy) + Math.abs(uy * dx);
-    double cross = ux * dy - uy * dx;
-    double rr = r * r;
-    double u2 = ux * ux + uy * uy;
-    double reach = u2 * rr;
-    double discriminant = reach - cross * cross;
-    double dd = dx * dx + dy * dy;
-    double gap = dd - rr;
-    boolean isCertain =
-        b < -(CollisionPredictor.DOT_BOUND * terms + TimeOfImpact.TINY)
-            && discriminant
-                > CollisionPredictor.WELL_CONDITIONED * (reach + area * area)
-                    + TimeOfImpact.TINY * (u2 + rr + area + 1)
-            && gap > CollisionPredictor.WELL_CONDITIONED * (dd + rr) + TimeOfImpact.TINY;
-    return isCertain ? gap / (Math.sqrt(discriminant) - b) : Double.NaN;
+    return CollisionPredictor.roughTime(x1 - x2, y1 - y2, vx1 - vx2, vy1 - vy2, r1 + r2);
   }
 
   /**
