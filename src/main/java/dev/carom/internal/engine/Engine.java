@@ -282,6 +282,9 @@ public abstract class Engine {
   public void restore(FlightTable flights, double now, double tailOfEdit) {
     reached = now;
     circles.clear();
+    if (flights.allowsGravity()) {
+      circles.allowGravity();
+    }
     MovingCircle m = circles.body;
     for (int i = 0; i < flights.capacity(); i++) {
       circles.add();

@@ -185,6 +185,12 @@ public final class CircleTable extends FlightTable {
         || supportWord(i) != 0;
   }
 
+  /** Its circles fall only after {@link #allowGravity}. */
+  @Override
+  boolean mayBeRare(MovingCircle m) {
+    return hasRare || m.jam != null || m.sensedPartner != MovingCircle.NOT_SENSED;
+  }
+
   public void load(int i) {
     load(i, body);
   }
@@ -202,9 +208,7 @@ public final class CircleTable extends FlightTable {
     FlightRow.get(m, s, k);
     m.restitution = s[k + RESTITUTION];
     getPast(m, c, collidingCodesAt(i));
-    if (mayBeRare(m)) {
-      getRare(i, m);
-    }
+    getRare(i, m);
     m.filter = filter(i);
   }
 
@@ -224,8 +228,6 @@ public final class CircleTable extends FlightTable {
   public void storeNewFlight(double[] s, int[] c, int i, MovingCircle m) {
     m.newFlight();
     putFlight(m, s, collidingAt(i), c, collidingCodesAt(i));
-    if (mayBeRare(m)) {
-      putRare(i, m);
-    }
+    putRare(i, m);
   }
 }

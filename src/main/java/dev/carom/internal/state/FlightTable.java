@@ -62,7 +62,7 @@ public class FlightTable {
   private final int codeStride;
 
   /** Whether any of the following columns exists. */
-  private boolean hasRare;
+  boolean hasRare;
 
   /** Four doubles a row, see {@link #GX}; null until a circle falls, slides or rests. */
   private double[] falls;
@@ -220,17 +220,14 @@ public class FlightTable {
     ContactWord.recall(codes[c + CONTACT], m);
   }
 
-  /**
-   * Whether a circle of this table may have anything in a column that exists only if needed, though
-   * no sensor reported it in this flight. Without gravity only a jammed one has.
-   */
-  final boolean mayBeRare(MovingCircle m) {
-    return hasRare || m.jam != null;
+  /** Whether a circle may have anything in the columns that exist only if needed. */
+  boolean mayBeRare(MovingCircle m) {
+    return hasRare || m.isRare();
   }
 
   /** Writes the columns that exist only if needed. */
   final void putRare(int i, MovingCircle m) {
-    if (hasRare || m.isRare()) {
+    if (mayBeRare(m)) {
       putRareColumns(i, m);
     }
   }
@@ -256,13 +253,13 @@ public class FlightTable {
 
   /** Reads the columns that exist only if needed. */
   final void getRare(int i, MovingCircle m) {
-    m.clearRare();
-    if (hasRare) {
+    if (mayBeRare(m)) {
       getRareColumns(i, m);
     }
   }
 
   private void getRareColumns(int i, MovingCircle m) {
+    m.clearRare();
     if (falls != null) {
       int k = FALL * i;
       m.gx = falls[k + GX];
