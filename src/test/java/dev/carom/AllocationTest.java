@@ -185,6 +185,19 @@ class AllocationTest {
     assertThatFramesAllocateNothing(new World(builder.build()));
   }
 
+  /** Circles to and fro between walls: the past that is kept has as many flights at any time. */
+  @ParameterizedTest
+  @ValueSource(booleans = {false, true})
+  void recordedFramesAllocateNothing(boolean collide) throws ReflectiveOperationException {
+    SceneBuilder builder = Scene.builder().collide(collide).bounds(0, 0, 100, 100);
+    for (int i = 0; i < 5; i++) {
+      builder.circle(10 + 20 * i, 50, 5, 0, 60 + 10 * i);
+    }
+    World world = new World(builder.build());
+    world.record(100);
+    assertThatFramesAllocateNothing(world);
+  }
+
   private void assertThatFramesAllocateNothing(World world) throws ReflectiveOperationException {
     frames(world, WARM_UP);
     impacts = 0;

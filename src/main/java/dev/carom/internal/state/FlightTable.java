@@ -143,7 +143,8 @@ public class FlightTable {
   final void move(int by, int room) {
     capacity = room;
     state = moved(state, by * stride, at(room));
-    codes = Arrays.copyOfRange(codes, by * codeStride, by * codeStride + codesAt(room));
+    int of = by * codeStride;
+    codes = codeStride == 0 ? codes : Arrays.copyOfRange(codes, of, of + codesAt(room));
     falls = moved(falls, FALL * by, FALL * room);
     sensed = moved(sensed, SENSED * by, SENSED * room);
     jams = jams == null ? null : Arrays.copyOfRange(jams, by, by + room);

@@ -31,6 +31,16 @@ public final class TimelineRecorder {
           gravity.x,
           gravity.y);
     }
+
+    boolean areThoseOf(SizeLimits limits, ObstacleTable obstacles, Gravity gravity) {
+      return largest == limits.largest()
+          && least == limits.least()
+          && Double.compare(restitution, obstacles.boundsRestitution) == 0
+          && traits == obstacles.boundsTraits
+          && filter == obstacles.filter(Codes.LEFT)
+          && gx == gravity.x
+          && gy == gravity.y;
+    }
   }
 
   private static final int FIRST_ROOM = 16;
@@ -175,9 +185,8 @@ public final class TimelineRecorder {
       add(loaded, loaded.t);
     }
     pending.clear();
-    Settings latest = Settings.of(limits, obstacles, gravity);
-    if (!latest.equals(settings.last())) {
-      settings.set(end, latest, start()); // edits have changed them since the last step
+    if (!settings.last().areThoseOf(limits, obstacles, gravity)) { // edits have changed them
+      settings.set(end, Settings.of(limits, obstacles, gravity), start());
     }
     end = now;
     tracks.forget(start());
