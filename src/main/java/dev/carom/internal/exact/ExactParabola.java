@@ -204,16 +204,9 @@ public final class ExactParabola {
 
   /** The end of the line in a region, as a disk. */
   ExactParabola part(int region) {
-    return disk(new Gaps<Polynomial>().set(x(region), y(region), NONE, NONE, gaps.r()));
-  }
-
-  /** The offset from the end in a region. */
-  private Polynomial x(int region) {
-    return region == Gaps.BEYOND ? gaps.x().minus(gaps.wx()) : gaps.x();
-  }
-
-  private Polynomial y(int region) {
-    return region == Gaps.BEYOND ? gaps.y().minus(gaps.wy()) : gaps.y();
+    Polynomial x = gaps.x(region);
+    Polynomial y = gaps.y(region);
+    return disk(new Gaps<Polynomial>().set(x, y, x, y, NONE, NONE, gaps.r()));
   }
 
   /** The side of the line just before an impact: +1 left, -1 right. */
@@ -228,11 +221,11 @@ public final class ExactParabola {
    */
   public UnitVector normal(RealRoot t) {
     if (isPoint()) {
-      Polynomial speedX = gaps.x().derivative();
-      return t.unit(NONE.minus(speedX), NONE.minus(gaps.y().derivative()));
+      Polynomial speedX = gaps.x(Gaps.BEFORE).derivative();
+      return t.unit(NONE.minus(speedX), NONE.minus(gaps.y(Gaps.BEFORE).derivative()));
     }
     int region = alongStart.isZero() ? Gaps.BEFORE : region(t);
-    return t.unit(x(region), y(region));
+    return t.unit(gaps.x(region), gaps.y(region));
   }
 
   /** Whether a point that hits an end of a line was beside the line just before. */
@@ -277,7 +270,7 @@ public final class ExactParabola {
   /** The first of the times that count at which a point comes to a point, or to a line. */
   private RealRoot firstOfPoint(Predicate<RealRoot> counts) {
     if (alongStart.isZero()) {
-      return first(gaps.x().gcd(gaps.y()), counts.and(this::isMoving));
+      return first(gaps.x(Gaps.BEFORE).gcd(gaps.y(Gaps.BEFORE)), counts.and(this::isMoving));
     }
     if (!height.isZero()) {
       return first(height, counts.and(this::isMet));
@@ -293,7 +286,8 @@ public final class ExactParabola {
   }
 
   private boolean isMoving(RealRoot t) {
-    return t.sign(gaps.x().derivative()) != 0 || t.sign(gaps.y().derivative()) != 0;
+    return t.sign(gaps.x(Gaps.BEFORE).derivative()) != 0
+        || t.sign(gaps.y(Gaps.BEFORE).derivative()) != 0;
   }
 
   /** Whether a point that is in line with the line at a time hits it: from a side, or an end. */

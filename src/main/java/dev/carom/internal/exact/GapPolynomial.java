@@ -89,8 +89,26 @@ public final class GapPolynomial implements Ring<GapPolynomial> {
     }
   }
 
-  /** The rounded polynomials of one question: they are used again by the next one. */
-  public static final class Pool {
+  /** Polynomials without rounding. */
+  public static final Numbers<GapPolynomial> EXACT =
+      new Numbers<>() {
+        @Override
+        public GapPolynomial motion(double p, double q, double v, double u, double g) {
+          Expansion bend = HALF.times(Expansion.sum(g, 0));
+          return exact(Expansion.difference(p, q), Expansion.difference(v, u), bend);
+        }
+
+        @Override
+        public GapPolynomial difference(double p, double q) {
+          return exact(Expansion.difference(p, q));
+        }
+      };
+
+  /**
+   * Polynomials of which each coefficient is rounded once. Those of one question are used again by
+   * the next one.
+   */
+  public static final class Pool implements Numbers<GapPolynomial> {
     private final List<GapPolynomial> all = new ArrayList<>();
     private int used;
 
@@ -99,14 +117,15 @@ public final class GapPolynomial implements Ring<GapPolynomial> {
       used = 0;
     }
 
-    /** The constant with this value, rounded once. */
-    public GapPolynomial rounded(double c0) {
-      return zero(1).set(0, c0);
+    @Override
+    public GapPolynomial motion(double p, double q, double v, double u, double g) {
+      double bend = g != 0 && 0.5 * g == 0 ? g : 0.5 * g; // not 0 if the half underflows
+      return zero(3).set(0, p - q).set(1, v - u).set(2, bend);
     }
 
-    /** The polynomial with these coefficients, each rounded once. */
-    public GapPolynomial rounded(double c0, double c1, double c2) {
-      return zero(3).set(0, c0).set(1, c1).set(2, c2);
+    @Override
+    public GapPolynomial difference(double p, double q) {
+      return zero(1).set(0, p - q);
     }
 
     private GapPolynomial zero(int length) {
@@ -142,6 +161,9 @@ public final class GapPolynomial implements Ring<GapPolynomial> {
   /** Whether the last question for a sign found no Bernstein coefficient above its bound. */
   private boolean isLost;
 
+  /** Whether that question found their signs to change once, to that below 0. */
+  private boolean fallsOnce;
+
   private GapPolynomial(Pool pool, Expansion[] exact, int capacity) {
     this.pool = pool;
     this.exact = exact;
@@ -152,20 +174,8 @@ public final class GapPolynomial implements Ring<GapPolynomial> {
     shifted = new double[capacity];
   }
 
-  /** The polynomial with these coefficients. */
   public static GapPolynomial exact(Expansion... coefficients) {
     return new GapPolynomial(null, coefficients, coefficients.length);
-  }
-
-  /** (p - q) + (v - u) t + g / 2 t^2, without rounding. */
-  public static GapPolynomial motion(double p, double q, double v, double u, double g) {
-    return exact(
-        Expansion.difference(p, q), Expansion.difference(v, u), HALF.times(Expansion.sum(g, 0)));
-  }
-
-  /** The constant p - q, without rounding. */
-  public static GapPolynomial difference(double p, double q) {
-    return exact(Expansion.difference(p, q));
   }
 
   private GapPolynomial clear(int newLength) {
@@ -359,14 +369,27 @@ public final class GapPolynomial implements Ring<GapPolynomial> {
       }
     }
     boolean isOne = sign != UNKNOWN;
+    int last = sign;
     isLost = true;
+    fallsOnce = true;
     for (int j = first; j <= n; j++) {
       int here = certain(bernstein[j], bound);
       isLost &= here == UNKNOWN;
       sign = sign == 0 ? here : sign;
       isOne &= here == sign && here != UNKNOWN;
+      fallsOnce &= here == -1 || (here == 1 && last != -1);
+      last = here;
     }
+    fallsOnce &= sign == 1 && last == -1;
     return isOne ? sign : 0;
+  }
+
+  /**
+   * Whether the polynomial in the interval of the last {@link #sign} is certain to have one root,
+   * at which it falls: the Bernstein coefficients change their sign once (Descartes' rule).
+   */
+  public boolean fallsOnce() {
+    return fallsOnce;
   }
 
   /** Whether the last {@link #sign} is in doubt, and is so in each part of the interval. */

@@ -21,6 +21,8 @@ public final class Gaps<P extends Ring<P>> {
 
   private P x;
   private P y;
+  private P endX;
+  private P endY;
   private P wx;
   private P wy;
   private P r;
@@ -29,32 +31,28 @@ public final class Gaps<P extends Ring<P>> {
    * Sets the motion and the obstacle.
    *
    * @param x the offset of the centre from the start of the line, or from the centre of a disk
+   * @param endX the same from the end of the line; of a disk, from its centre
    * @param wx the vector of the line, as constants; 0 of a disk
    * @param r the radius, of two disks the sum of theirs, as a constant
    */
-  public Gaps<P> set(P x, P y, P wx, P wy, P r) {
+  public Gaps<P> set(P x, P y, P endX, P endY, P wx, P wy, P r) {
     this.x = x;
     this.y = y;
+    this.endX = endX;
+    this.endY = endY;
     this.wx = wx;
     this.wy = wy;
     this.r = r;
     return this;
   }
 
-  public P x() {
-    return x;
+  /** The offset of the centre from the end of the line in a region. */
+  public P x(int region) {
+    return region == BEYOND ? endX : x;
   }
 
-  public P y() {
-    return y;
-  }
-
-  public P wx() {
-    return wx;
-  }
-
-  public P wy() {
-    return wy;
+  public P y(int region) {
+    return region == BEYOND ? endY : y;
   }
 
   public P r() {
@@ -63,22 +61,19 @@ public final class Gaps<P extends Ring<P>> {
 
   /** The gap in a region. */
   public P gap(int region) {
-    return switch (region) {
-      case BEFORE -> gap(x, y);
-      case BESIDE -> ofSide();
-      default -> gap(x.minus(wx), y.minus(wy));
-    };
+    return region == BESIDE ? ofSide() : ofEnd(x(region), y(region));
   }
 
   /** The gap of an end: {@code d.d - r^2}. */
-  private P gap(P dx, P dy) {
+  private P ofEnd(P dx, P dy) {
     return dx.times(dx).plus(dy.times(dy)).minus(r.times(r));
   }
 
   /** The gap of the side of a line, times w.w: {@code cross(w, d)^2 - r^2 w.w}. */
   private P ofSide() {
     P height = height();
-    return height.times(height).minus(r.times(r).times(length()));
+    P length = wx.times(wx).plus(wy.times(wy));
+    return height.times(height).minus(r.times(r).times(length));
   }
 
   /** The height over the line, times its length: {@code cross(w, d)}. */
@@ -91,12 +86,8 @@ public final class Gaps<P extends Ring<P>> {
     return wx.times(x).plus(wy.times(y));
   }
 
-  /** The projection on the line, from its end: {@code w.d - w.w}. At least 0 beyond the line. */
+  /** The projection on the line, from its end: {@code w.(d - w)}. At least 0 beyond the line. */
   public P fromEnd() {
-    return fromStart().minus(length());
-  }
-
-  private P length() {
-    return wx.times(wx).plus(wy.times(wy));
+    return wx.times(endX).plus(wy.times(endY));
   }
 }

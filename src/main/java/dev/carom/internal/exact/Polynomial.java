@@ -17,6 +17,19 @@ import java.util.List;
  */
 public final class Polynomial implements Ring<Polynomial> {
 
+  public static final Numbers<Polynomial> EXACT =
+      new Numbers<>() {
+        @Override
+        public Polynomial motion(double p, double q, double v, double u, double g) {
+          return of(Dyadic.difference(p, q), Dyadic.difference(v, u), Dyadic.of(g).half());
+        }
+
+        @Override
+        public Polynomial difference(double p, double q) {
+          return of(Dyadic.difference(p, q));
+        }
+      };
+
   private static final double[][] BINOMIAL = {
     {1}, {1, 1}, {1, 2, 1}, {1, 3, 3, 1}, {1, 4, 6, 4, 1}
   };
@@ -35,16 +48,6 @@ public final class Polynomial implements Ring<Polynomial> {
   /** The polynomial with these coefficients, the constant one first; at most of degree 4. */
   public static Polynomial of(Dyadic... coefficients) {
     return new Polynomial(coefficients);
-  }
-
-  /** (p - q) + (v - u) t + g / 2 t^2. */
-  public static Polynomial motion(double p, double q, double v, double u, double g) {
-    return of(Dyadic.difference(p, q), Dyadic.difference(v, u), Dyadic.of(g).half());
-  }
-
-  /** The constant p - q. */
-  public static Polynomial difference(double p, double q) {
-    return of(Dyadic.difference(p, q));
   }
 
   /** The degree; -1 for the polynomial 0. */

@@ -3,7 +3,10 @@ package dev.carom.internal.sweep;
 
 import static dev.carom.internal.exact.Fma.fma;
 
+import dev.carom.internal.exact.GapPolynomial;
 import dev.carom.internal.exact.Gaps;
+import dev.carom.internal.exact.Numbers;
+import dev.carom.internal.exact.Ring;
 
 /**
  * A disk with a constant acceleration, and an obstacle: a line from a to b, or a disk around a = b.
@@ -135,6 +138,21 @@ public final class Fall {
     return search;
   }
 
+  /** The gaps on one rung of precision. */
+  <P extends Ring<P>> Gaps<P> gaps(Numbers<P> of) {
+    return gaps(of, new Gaps<>());
+  }
+
+  /** The same, put into given ones. */
+  <P extends Ring<P>> Gaps<P> gaps(Numbers<P> of, Gaps<P> out) {
+    P x = of.motion(px, ax, vx, ux, gx);
+    P y = of.motion(py, ay, vy, uy, gy);
+    P endX = isLine ? of.motion(px, bx, vx, ux, gx) : x;
+    P endY = isLine ? of.motion(py, by, vy, uy, gy) : y;
+    P line = of.difference(bx, ax);
+    return out.set(x, y, endX, endY, line, of.difference(by, ay), of.difference(r, -radius));
+  }
+
   public boolean isStraight() {
     return gx == 0 && gy == 0;
   }
@@ -178,26 +196,26 @@ public final class Fall {
 
   /** The region: before the start of the line, beside it, or beyond its end. */
   int region(double t) {
-    int start = along(ax, ay, wx, wy, t);
-    if (start < 0) {
-      return Gaps.BEFORE;
-    }
-    int end = along(bx, by, wx, wy, t);
-    return end > 0 ? Gaps.BEYOND : start > 0 && end < 0 ? Gaps.BESIDE : Gaps.UNKNOWN;
+    return GapSearch.region(along(ax, ay, wx, wy, t), along(bx, by, wx, wy, t));
   }
 
   /** The side of the line, +1 left or -1 right; 0 in doubt. */
   int side(double t) {
-    return along(ax, ay, -wy, wx, t);
+    int side = along(ax, ay, -wy, wx, t);
+    return side == GapPolynomial.UNKNOWN ? 0 : side;
   }
 
-  /** The sign of e.(p(t) - q); 0 in doubt. */
+  /** The sign of e.(p(t) - q), which is 0 if it is so all the time. */
   private int along(double qx, double qy, double ex, double ey, double t) {
+    boolean isZeroX = ex == 0 || (px == qx && sx == 0 && gx == 0);
+    if (isZeroX && (ey == 0 || (py == qy && sy == 0 && gy == 0))) {
+      return 0;
+    }
     double late = t + GapRoot.EARLIEST; // covers half an ulp of a subnormal time
     double value = ex * x(qx, t) + ey * y(qy, t);
     double terms = Math.abs(ex) * sizeX(qx, late) + Math.abs(ey) * sizeY(qy, late);
     double bound = fma(PLACE_BOUND, terms, TINY);
     boolean isCertain = Math.abs(value) > bound && t < MOST && Math.abs(ex) + Math.abs(ey) < MOST;
-    return isCertain ? UnitVectors.sign(value) : 0;
+    return isCertain ? UnitVectors.sign(value) : GapPolynomial.UNKNOWN;
   }
 }

@@ -7,7 +7,6 @@ import static dev.carom.internal.exact.Fma.fma;
 
 import dev.carom.internal.exact.ExactParabola;
 import dev.carom.internal.exact.ExactReturn;
-import dev.carom.internal.exact.Expansion;
 import dev.carom.internal.exact.GapPolynomial;
 import dev.carom.internal.exact.Gaps;
 import dev.carom.internal.exact.Polynomial;
@@ -74,10 +73,12 @@ public final class FallReturn {
     if (t > LEAST_SAFE && t < MOST_SAFE && t != T) {
       return t < T ? t : NEVER;
     }
-    Expansion speed = Expansion.sum(inward * v, 0);
-    double time = upTo(T, GapPolynomial.exact(speed, Expansion.sum(inward * 0.5 * g, 0)));
-    Polynomial rise = Polynomial.motion(0, 0, v, 0, g).signed(inward);
-    return Double.isNaN(time) ? ExactParabola.ofGap(rise.fromStart()).time(T) : time;
+    double speed = inward * v;
+    double pull = inward * g;
+    double time = upTo(T, GapPolynomial.EXACT.motion(0, 0, speed, 0, pull));
+    return Double.isNaN(time)
+        ? ExactParabola.ofGap(Polynomial.EXACT.motion(0, 0, speed, 0, pull)).time(T)
+        : time;
   }
 
   /**
@@ -100,7 +101,7 @@ public final class FallReturn {
   }
 
   private static ExactReturn exact(Fall f) {
-    Gaps<Polynomial> gaps = FallSweep.numbers(f);
+    Gaps<Polynomial> gaps = f.gaps(Polynomial.EXACT);
     return f.isLine ? ExactReturn.toLine(gaps) : ExactReturn.toDisk(gaps);
   }
 
@@ -143,14 +144,14 @@ public final class FallReturn {
 
   /** Whether a disk that is back at its height above a side, at t, is exactly at an end of it. */
   private static boolean isAtEnd(Fall f, int side, double t) {
-    Gaps<GapPolynomial> gaps = FallSweep.exactGaps(f);
+    Gaps<GapPolynomial> gaps = f.gaps(GapPolynomial.EXACT);
     boolean isAtEnd = gaps.fromStart().signAt(t, 0) == 0 || gaps.fromEnd().signAt(t, 0) == 0;
     return isAtEnd && rise(f, side).fallsAt(t);
   }
 
   /** The height above that at the start, times the length of the line. */
   private static GapPolynomial rise(Fall f, int side) {
-    return FallSweep.exactGaps(f).height().signed(side).counted();
+    return f.gaps(GapPolynomial.EXACT).height().signed(side).counted();
   }
 
   /**
@@ -194,14 +195,15 @@ public final class FallReturn {
     if (isCertain) {
       return low < T ? low : NEVER;
     }
-    double time = upTo(T, rise(f, side).overTime());
+    double time = upTo(T, rise(f, side));
     return Double.isNaN(time)
-        ? ExactParabola.ofGap(FallSweep.numbers(f).height().signed(side).fromStart()).time(T)
+        ? ExactParabola.ofGap(f.gaps(Polynomial.EXACT).height().signed(side).fromStart()).time(T)
         : time;
   }
 
-  /** The root of a linear polynomial, half of its scale, up to T. */
-  private static double upTo(double T, GapPolynomial linear) {
+  /** The time up to T at which what rises from 0 is 0 again: half the scale of a linear root. */
+  private static double upTo(double T, GapPolynomial rise) {
+    GapPolynomial linear = rise.overTime();
     double time = linear.nearestRoot(1, 0, linear.scale());
     return time < T || (time == T && linear.signAt(T, 0) <= 0) ? time : time >= T ? NEVER : time;
   }
@@ -237,7 +239,7 @@ public final class FallReturn {
     int side = from == Gaps.BESIDE ? side(f) : f.side(t);
     int region = f.region(t);
     if (region == Gaps.UNKNOWN) {
-      GapSearch search = FallSweep.exactly(f);
+      GapSearch search = f.search().exactly();
       region =
           from == Gaps.BESIDE ? search.regionAt(t, rise(f, side)) : search.from(from).regionAt(t);
     }

@@ -4,7 +4,6 @@ package dev.carom.internal.sweep;
 import dev.carom.internal.exact.Exact;
 import dev.carom.internal.exact.ExactParabola;
 import dev.carom.internal.exact.ExactTime;
-import dev.carom.internal.exact.GapPolynomial;
 import dev.carom.internal.exact.Gaps;
 import dev.carom.internal.exact.Polynomial;
 import dev.carom.internal.exact.PrecisionCounters;
@@ -118,7 +117,7 @@ public final class FallSweep {
     }
     int region = f.region(t);
     if (region == Gaps.UNKNOWN) {
-      region = exactly(f).regionAt(t);
+      region = f.search().exactly().regionAt(t);
     }
     int contact = contact(region, f.side(t));
     if (contact == Contact.DOUBT) {
@@ -183,38 +182,9 @@ public final class FallSweep {
   static double searched(Fall f, int question, double of, double T) {
     boolean isPoint = f.r + f.radius == 0 && (f.isLine || question != GapSearch.RETURN);
     double reach = reach(f);
-    double time = roughly(f).time(question, of, reach, T);
+    double time = f.search().roughly().time(question, of, reach, T);
     boolean isOpen = Double.isNaN(time) && !isPoint;
-    return isOpen ? exactly(f).time(question, of, reach, T) : time;
-  }
-
-  private static GapSearch roughly(Fall f) {
-    GapPolynomial.Pool pool = f.search().pool();
-    GapPolynomial dx = pool.rounded(f.dx, f.sx, half(f.gx));
-    GapPolynomial dy = pool.rounded(f.dy, f.sy, half(f.gy));
-    return f.search()
-        .of(dx, dy, pool.rounded(f.wx), pool.rounded(f.wy), pool.rounded(f.r + f.radius));
-  }
-
-  /** Half of an acceleration; not 0 if that underflows. */
-  private static double half(double g) {
-    return g != 0 && 0.5 * g == 0 ? g : 0.5 * g;
-  }
-
-  /** The search without rounding. */
-  static GapSearch exactly(Fall f) {
-    return f.search().of(exactGaps(f));
-  }
-
-  /** The gaps with coefficients without rounding. */
-  static Gaps<GapPolynomial> exactGaps(Fall f) {
-    return new Gaps<GapPolynomial>()
-        .set(
-            GapPolynomial.motion(f.px, f.ax, f.vx, f.ux, f.gx),
-            GapPolynomial.motion(f.py, f.ay, f.vy, f.uy, f.gy),
-            GapPolynomial.difference(f.bx, f.ax),
-            GapPolynomial.difference(f.by, f.ay),
-            GapPolynomial.difference(f.r, -f.radius));
+    return isOpen ? f.search().exactly().time(question, of, reach, T) : time;
   }
 
   /**
@@ -235,17 +205,7 @@ public final class FallSweep {
 
   /** The question in algebraic numbers. */
   public static ExactParabola exact(Fall f) {
-    return f.isLine ? ExactParabola.line(numbers(f)) : ExactParabola.disk(numbers(f));
-  }
-
-  /** The gaps in exact numbers. */
-  static Gaps<Polynomial> numbers(Fall f) {
-    return new Gaps<Polynomial>()
-        .set(
-            Polynomial.motion(f.px, f.ax, f.vx, f.ux, f.gx),
-            Polynomial.motion(f.py, f.ay, f.vy, f.uy, f.gy),
-            Polynomial.difference(f.bx, f.ax),
-            Polynomial.difference(f.by, f.ay),
-            Polynomial.difference(f.r, -f.radius));
+    Gaps<Polynomial> gaps = f.gaps(Polynomial.EXACT);
+    return f.isLine ? ExactParabola.line(gaps) : ExactParabola.disk(gaps);
   }
 }

@@ -47,6 +47,11 @@ final class GapSearch {
   /** That of an interval without rounding: measured, some 800 ns. */
   private static final int BITS_PER_INTERVAL = 6144;
 
+  /**
+   * The first interval of a return, of the time that a straight drop takes, whose return is in it.
+   */
+  private static final double FIRST_PART = 1.0625;
+
   private static final int REGIONS = 3;
 
   /** Which question: the first contact of all, or after a time of none; an entry; a return. */
@@ -92,6 +97,9 @@ final class GapSearch {
   private int open;
   private int falling;
 
+  /** The regions whose gap has one root in the interval, and falls there. */
+  private int once;
+
   /** The regions whose gap is known never to fall below 0. */
   private int passed;
 
@@ -108,20 +116,18 @@ final class GapSearch {
     made[Gaps.BEFORE] = gap;
   }
 
-  /** An empty store of polynomials. */
-  GapPolynomial.Pool pool() {
+  /** Takes the gaps with rounded coefficients. */
+  GapSearch roughly() {
     pool.reset();
-    return pool;
+    return of(fall.gaps(pool, rounded));
   }
 
-  /** Takes the motion and the obstacle, with rounded coefficients. */
-  GapSearch of(
-      GapPolynomial x, GapPolynomial y, GapPolynomial wx, GapPolynomial wy, GapPolynomial r) {
-    return of(rounded.set(x, y, wx, wy, r));
+  /** Takes the gaps with coefficients without rounding. */
+  GapSearch exactly() {
+    return of(fall.gaps(GapPolynomial.EXACT));
   }
 
-  /** Takes the gaps. */
-  GapSearch of(Gaps<GapPolynomial> newGaps) {
+  private GapSearch of(Gaps<GapPolynomial> newGaps) {
     boolean isLine = fall.isLine;
     gaps = newGaps;
     fromStart = isLine ? gaps.fromStart() : null;
@@ -146,8 +152,8 @@ final class GapSearch {
    */
   double time(int question, double of, double reach, double T) {
     return switch (question) {
-      case FIRST -> search(0, reach, T);
-      case FIRST_AFTER -> gap(Gaps.BEFORE).signAt(of, 0) == 1 ? search(of, reach, T) : DOUBT;
+      case FIRST -> search(0, NEVER, reach, T);
+      case FIRST_AFTER -> gap(Gaps.BEFORE).signAt(of, 0) == 1 ? search(of, NEVER, reach, T) : DOUBT;
       case ENTRY -> entry(of, reach, T);
       default -> returnTo((int) of, reach, T);
     };
@@ -156,12 +162,25 @@ final class GapSearch {
   private double entry(double s, double reach, double T) {
     isEntry = true;
     after = s;
-    return search(Math.max(0, s * (1 - MARGIN)), reach, T);
+    return search(Math.max(0, s * (1 - MARGIN)), NEVER, reach, T);
   }
 
   private double returnTo(int region, double reach, double T) {
     int way = from(region).gap(region).signAfterStart();
-    return way == -1 ? 0 : way == UNKNOWN ? DOUBT : search(0, reach, T);
+    return way == -1
+        ? 0
+        : way == UNKNOWN ? DOUBT : search(0, FIRST_PART * levelTime(region), reach, T);
+  }
+
+  /**
+   * About when the disk is again as high above the tangent of its contact with an end as at the
+   * start. It does not return to the end before.
+   */
+  private double levelTime(int region) {
+    double dx = region == Gaps.BEYOND ? fall.px - fall.bx : fall.dx;
+    double dy = region == Gaps.BEYOND ? fall.py - fall.by : fall.dy;
+    double time = -2 * (dx * fall.sx + dy * fall.sy) / (dx * fall.gx + dy * fall.gy);
+    return time > 0 ? time : NEVER;
   }
 
   /** Has the gap of a region count from the start. */
@@ -186,20 +205,22 @@ final class GapSearch {
     return regionAt(t);
   }
 
-  private static int region(int start, int end) {
+  /** The region, by the signs of the projections from the start and from the end of a line. */
+  static int region(int start, int end) {
     boolean isKnown = start <= 0 || (start == 1 && end != UNKNOWN);
     int region = start <= 0 ? Gaps.BEFORE : end >= 0 ? Gaps.BEYOND : Gaps.BESIDE;
     return isKnown ? region : Gaps.UNKNOWN;
   }
 
-  private double search(double start, double reach, double T) {
+  /** Searches from a time on, at first an interval of a given width or less. */
+  private double search(double start, double first, double reach, double T) {
     double end = T > 0 ? Math.min(T, reach) : reach;
     if (!(end < NEVER)) {
       return DOUBT;
     }
     ExactBudget.add(BITS_PER_SEARCH);
     low = start;
-    double width = end - start;
+    double width = Math.min(end - start, first);
     boolean isCut = false;
     for (int i = 0; i < INTERVALS && low < end; i++) {
       high = Math.min(low + width, end);
@@ -247,6 +268,7 @@ final class GapSearch {
   private void look() {
     open = 0;
     falling = 0;
+    once = 0;
     isLost = false;
     for (int region = 0; region < REGIONS; region++) {
       if (isIn(possible, region)) {
@@ -260,6 +282,11 @@ final class GapSearch {
     GapPolynomial rate = gap.derivative();
     int sign = gap.sign(low, high);
     if (sign > 0 || (isEntry && sign < 0) || isIn(passed, region)) {
+      return;
+    }
+    if (gap.fallsOnce()) {
+      open |= 1 << region;
+      once |= 1 << region;
       return;
     }
     int way = rate.sign(low, high);
@@ -340,7 +367,7 @@ final class GapSearch {
     double time = DOUBT;
     for (int region = 0; region < REGIONS; region++) {
       if (isIn(open, region)) {
-        double here = isIn(falling, region) ? fall(region) : turn(region);
+        double here = contact(region);
         boolean isOne = Double.isNaN(time) || here == time;
         if (!isOne || here == HALVE || Double.isNaN(here)) {
           return Double.isNaN(here) ? here : HALVE;
@@ -349,6 +376,13 @@ final class GapSearch {
       }
     }
     return time == NEVER || open == possible ? time : HALVE;
+  }
+
+  private double contact(int region) {
+    if (isIn(once, region)) {
+      return root(region, low, high);
+    }
+    return isIn(falling, region) ? fall(region) : turn(region);
   }
 
   /** The gap falls throughout. */
@@ -453,7 +487,7 @@ final class GapSearch {
   private GapPolynomial exactGap(int region) {
     if (madeExact[region] == null) {
       madeExact[region] =
-          gap(region).isExact() ? gap(region) : of(FallSweep.exactGaps(fall), region);
+          gap(region).isExact() ? gap(region) : of(fall.gaps(GapPolynomial.EXACT), region);
     }
     return madeExact[region];
   }
@@ -472,8 +506,8 @@ final class GapSearch {
     if (gaps == null || region == Gaps.BESIDE || region == counted) {
       return false;
     }
-    GapPolynomial x = region == Gaps.BEFORE ? gaps.x() : gaps.x().minus(gaps.wx());
-    GapPolynomial y = region == Gaps.BEFORE ? gaps.y() : gaps.y().minus(gaps.wy());
+    GapPolynomial x = gaps.x(region);
+    GapPolynomial y = gaps.y(region);
     GapPolynomial speedX = x.derivative();
     GapPolynomial speedY = y.derivative();
     GapPolynomial gx = speedX.derivative();

@@ -5,8 +5,10 @@ import static dev.carom.internal.exact.DoubleDouble.differenceTail;
 
 import dev.carom.internal.exact.ExactParabola;
 import dev.carom.internal.exact.GapPolynomial;
+import dev.carom.internal.exact.Numbers;
 import dev.carom.internal.exact.Polynomial;
 import dev.carom.internal.exact.PrecisionCounters;
+import dev.carom.internal.exact.Ring;
 
 /**
  * A disk with a constant acceleration against a wall, on one axis. The gap is {@code s + v t + g
@@ -48,8 +50,7 @@ public final class ParabolaWallSweep {
     if (time > T) {
       return NEVER;
     }
-    GapPolynomial place = GapPolynomial.motion(p, wall, v, 0, g).signed(inward);
-    GapPolynomial gap = place.minus(GapPolynomial.difference(r, 0));
+    GapPolynomial gap = gap(GapPolynomial.EXACT, p, r, v, g, wall, inward);
     double reach =
         FallSweep.reach(Fall.ofThread().flight(p, 0, r, v, 0, g, 0).disk(wall, 0, 0, 0, 0));
     time = new GapSearch(gap).time(GapSearch.FIRST, 0, reach, T);
@@ -59,8 +60,13 @@ public final class ParabolaWallSweep {
   /** The question in algebraic numbers. */
   public static ExactParabola exact(
       double p, double r, double v, double g, double wall, int inward) {
-    Polynomial place = Polynomial.motion(p, wall, v, 0, g).signed(inward);
-    return ExactParabola.ofGap(place.minus(Polynomial.difference(r, 0)));
+    return ExactParabola.ofGap(gap(Polynomial.EXACT, p, r, v, g, wall, inward));
+  }
+
+  private static <P extends Ring<P>> P gap(
+      Numbers<P> of, double p, double r, double v, double g, double wall, int inward) {
+    return of.motion(inward * p, inward * wall, inward * v, 0, inward * g)
+        .minus(of.difference(r, 0));
   }
 
   /** The time, if doubles and double-double tell. */

@@ -2,6 +2,7 @@
 package dev.carom.internal.sweep;
 
 import dev.carom.internal.exact.ExactParabola;
+import dev.carom.internal.exact.Polynomial;
 import dev.carom.internal.exact.UnitVector;
 
 /** Questions about falling disks, with all numbers in one call. */
@@ -214,7 +215,8 @@ public final class Falls {
       double uy,
       double T) {
     Fall fall = line(0, 0, 0, vx, vy, gx, gy, ax, ay, bx, by, ux, uy);
-    return ExactParabola.ofGap(FallSweep.numbers(fall).height().signed(side).fromStart()).time(T);
+    Polynomial height = fall.gaps(Polynomial.EXACT).height();
+    return ExactParabola.ofGap(height.signed(side).fromStart()).time(T);
   }
 
   public static double returnToSide(

@@ -166,8 +166,8 @@ class ParabolaReturnTest {
       assertThat(disk)
           .isEqualTo(
               ExactReturn.toDisk(
-                      FallSweep.numbers(
-                          Falls.disk(n[0], n[1], 0, n[2], n[3], gx, n[5], n[6], n[7], 0, 0, 0)))
+                      Falls.disk(n[0], n[1], 0, n[2], n[3], gx, n[5], n[6], n[7], 0, 0, 0)
+                          .gaps(Polynomial.EXACT))
                   .time(T));
       double side = Falls.returnToSide(1, n[2], n[3], gx, n[5], n[0], n[1], n[6], n[7], 0, 0, T);
       assertThat(side)
@@ -175,7 +175,8 @@ class ParabolaReturnTest {
               Falls.exactReturnToSide(1, n[2], n[3], gx, n[5], n[0], n[1], n[6], n[7], 0, 0, T));
       assertThat(FallReturn.toWall(n[2], n[5], 1, T))
           .isEqualTo(
-              ExactParabola.ofGap(Polynomial.motion(0, 0, n[2], 0, n[5]).fromStart()).time(T));
+              ExactParabola.ofGap(Polynomial.EXACT.motion(0, 0, n[2], 0, n[5]).fromStart())
+                  .time(T));
       hits += disk > 0 && disk < NEVER ? 1 : 0;
       hits += side > 0 && side < NEVER ? 1 : 0;
     }
