@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 package dev.carom;
 
+import dev.carom.internal.exact.BoundedNumber;
 import dev.carom.internal.exact.Predicates;
 import dev.carom.internal.sweep.SegmentSweep;
 import dev.carom.internal.sweep.SideSweep;
@@ -27,38 +28,34 @@ enum RoundingBound {
   ROOT_DOT(TimeOfImpact.class, "DOT_BOUND"),
   ROOT_GAP(TimeOfImpact.class, "GAP_BOUND"),
   ROOT_REACH(TimeOfImpact.class, "DISCRIMINANT_BOUND"),
-  ROOT_WINDOW(TimeOfImpact.class, "WINDOW_BOUND"),
   /** The rounding of a place in the error of a step, and so the whole of f's share. */
   ROOT_PLACE(TimeOfImpact.class, "PLACE_BOUND"),
   ROOT_TINY(TimeOfImpact.class, "TINY"),
-  SEGMENT_PLACE(SegmentSweep.class, "PLACE_BOUND"),
-  SEGMENT_SPEED(SegmentSweep.class, "SPEED_BOUND"),
   SEGMENT_STRIP(SegmentSweep.class, "STRIP_BOUND"),
-  SEGMENT_CORNER(SegmentSweep.class, "CORNER_BOUND"),
   SEGMENT_TINY(SegmentSweep.class, "TINY"),
-  SIDE_WINDOW(SideSweep.class, "WINDOW_BOUND"),
   /** The rounding of h in the error of a step. */
   SIDE_PLACE(SideSweep.class, Kind.BOUND, 256 * 0x1p-106),
   /** The rounding of the divisions in the error of a step. */
   SIDE_LEAN(SideSweep.class, Kind.BOUND, 16 * 0x1p-53),
-  SIDE_TINY(SideSweep.class, Kind.LEAST, 0x1p-1000),
   SIDE_LEAST(SideSweep.class, "LEAST_SAFE"),
   SIDE_LEAST_LENGTH(SideSweep.class, "LEAST_LENGTH"),
   /** The bounds of the gap's tail and of the remainder: each is generous enough for both. */
   WALL_REST(WallSweep.class, Kind.BOUND, 0x1p-104, 0x1p-50),
   WALL_LEAST(WallSweep.class, "LEAST_SAFE"),
-  PREDICATES(Predicates.class, "BOUND"),
+  PREDICATES_CROSS(Predicates.class, "CROSS_BOUND"),
+  PREDICATES_GAP(Predicates.class, "GAP_BOUND"),
+  PREDICATES_DISCRIMINANT(Predicates.class, "DISCRIMINANT_BOUND"),
+  PREDICATES_CORNER(Predicates.class, "CORNER_BOUND"),
   PREDICATES_TINY(Predicates.class, "TINY"),
-  PREDICATES_LARGE(Predicates.class, "LARGE");
+  BOUNDED(BoundedNumber.class, "BOUND"),
+  BOUNDED_LEAST(BoundedNumber.class, "LEAST_TERM");
 
   /** The purpose of a constant. */
   enum Kind {
     /** Bounds an error: none at 0. */
     BOUND,
     /** Keeps small numbers out: none at 0. */
-    LEAST,
-    /** Keeps large numbers out: none at infinity. */
-    MOST
+    LEAST
   }
 
   private final Class<?> owner;
@@ -78,7 +75,7 @@ enum RoundingBound {
   }
 
   private static Kind kind(String field) {
-    return field.endsWith("BOUND") ? Kind.BOUND : field.equals("LARGE") ? Kind.MOST : Kind.LEAST;
+    return field.endsWith("BOUND") ? Kind.BOUND : Kind.LEAST;
   }
 
   private static double read(Class<?> owner, String field) {
@@ -106,7 +103,7 @@ enum RoundingBound {
 
   /** Whether a query can come to this constant at all. */
   boolean concerns(Query query) {
-    if (owner == Predicates.class) {
+    if (owner == Predicates.class || owner == BoundedNumber.class) {
       return !(query instanceof WallQuery);
     }
     return (query instanceof SegmentQuery || query instanceof MovingLineQuery)
@@ -118,7 +115,7 @@ enum RoundingBound {
   void scale(String className, ConstantPool pool, double factor) {
     if (owner.getName().equals(className)) {
       for (double value : values) {
-        pool.replace(value, kind == Kind.MOST ? value / factor : value * factor);
+        pool.replace(value, value * factor);
       }
     }
   }

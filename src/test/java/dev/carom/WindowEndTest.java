@@ -8,7 +8,6 @@ import dev.carom.internal.exact.ExactTime;
 import dev.carom.internal.sweep.Contact;
 import dev.carom.internal.sweep.DiskSweep;
 import dev.carom.internal.sweep.SegmentSweep;
-import dev.carom.internal.sweep.SideSweep;
 import dev.carom.oracle.SegmentQuery;
 import dev.carom.oracle.SphereQuery;
 import java.math.BigDecimal;
@@ -24,8 +23,8 @@ import org.junit.jupiter.params.aggregator.ArgumentsAccessor;
 import org.junit.jupiter.params.provider.CsvSource;
 
 /**
- * Whether an impact comes before the end of the window, put to plain doubles where that end is
- * nearly the time of impact, in any units of length and of time: they tell the truth or nothing.
+ * Whether an impact comes before the end of the window, where that end is nearly the time of
+ * impact, in any units of length and of time.
  */
 class WindowEndTest {
   private static final int QUESTIONS = 4_000;
@@ -86,10 +85,6 @@ class WindowEndTest {
         .toArray();
   }
 
-  private static void assertTrueOrOpen(double[] n, int told, int truth) {
-    assertThat(told).as(() -> Arrays.toString(n)).isIn(0, truth);
-  }
-
   // Two disks: x1 y1 r1 vx1 vy1 x2 y2 r2 vx2 vy2 T.
 
   private double[] disks() {
@@ -128,12 +123,9 @@ class WindowEndTest {
       if (DiskSweep.contact(n[0], n[1], n[2], n[3], n[4], n[5], n[6], n[7], n[8], n[9])
           == Contact.LATER) {
         asked++;
-        int told =
-            DiskSweep.compareTime(
-                n[0], n[1], n[2], n[3], n[4], n[5], n[6], n[7], n[8], n[9], n[10]);
         Exact.Disks exact =
             Exact.Disks.of(n[0], n[1], n[2], n[3], n[4], n[5], n[6], n[7], n[8], n[9]);
-        assertTrueOrOpen(n, told, exact.time().compare(ExactTime.of(n[10])));
+        assertThat(pair(n)).as(() -> Arrays.toString(n)).isEqualTo(exact.time().upTo(n[10]));
       }
     }
   }
@@ -349,22 +341,9 @@ class WindowEndTest {
       int contact = change.applyAsInt(n);
       if (contact == Contact.LEFT || contact == Contact.RIGHT) {
         asked++;
-        int told =
-            SideSweep.compareTime(
-                contact == Contact.LEFT ? 1 : -1,
-                n[4],
-                n[5],
-                n[6],
-                n[7],
-                n[8],
-                n[0],
-                n[1],
-                n[2],
-                n[3],
-                n[9]);
         ExactTime exact =
             Exact.timeOfSide(n[4], n[5], n[6], n[7], n[8], n[0], n[1], n[2], n[3], 0, 0);
-        assertTrueOrOpen(n, told, exact.compare(ExactTime.of(n[9])));
+        assertThat(line(n)).as(() -> Arrays.toString(n)).isEqualTo(exact.upTo(n[9]));
       }
     }
     assertThat(asked).isGreaterThan(QUESTIONS / 8);

@@ -10,9 +10,7 @@ import static dev.carom.internal.exact.Fma.fma;
  *
  * <p>The bounds, in u^2 of the result: M. Joldes, J.-M. Muller and V. Popescu, Tight and rigorous
  * error bounds for basic building blocks of double-word arithmetic, ACM Transactions on
- * Mathematical Software 44 (2017); the root: V. Lefevre, N. Louvet, J.-M. Muller, J. Picot and L.
- * Rideau, Accurate calculation of Euclidean norms using double-word arithmetic, the same 49 (2023).
- * They hold as long as nothing underflows or overflows.
+ * Mathematical Software 44 (2017). They hold as long as nothing underflows or overflows.
  */
 public record DoubleDoubleNumber(double head, double tail) {
 
@@ -22,9 +20,9 @@ public record DoubleDoubleNumber(double head, double tail) {
     return new DoubleDoubleNumber(sum, tail - (sum - head));
   }
 
-  /** This times a power of two. */
-  public DoubleDoubleNumber scaled(double factor) {
-    return new DoubleDoubleNumber(factor * head, factor * tail);
+  /** This with the other sign. */
+  public DoubleDoubleNumber negate() {
+    return new DoubleDoubleNumber(-head, -tail);
   }
 
   /** The sum: 4. */
@@ -40,19 +38,5 @@ public record DoubleDoubleNumber(double head, double tail) {
     double product = head * that.head;
     double crossed = fma(head, that.tail, tail * that.head);
     return of(product, productTail(head, that.head, product) + crossed);
-  }
-
-  /** The quotient: 15. */
-  public DoubleDoubleNumber over(DoubleDoubleNumber that) {
-    double quotient = head / that.head;
-    DoubleDoubleNumber product = that.times(new DoubleDoubleNumber(quotient, 0));
-    double rest = (head - product.head) + (tail - product.tail);
-    return of(quotient, rest / that.head);
-  }
-
-  /** The root of a positive number: 4. */
-  public DoubleDoubleNumber root() {
-    double root = Math.sqrt(head);
-    return of(root, (fma(-root, root, head) + tail) / (2 * root));
   }
 }

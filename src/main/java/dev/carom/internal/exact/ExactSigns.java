@@ -2,10 +2,24 @@
 package dev.carom.internal.exact;
 
 /**
- * The signs of the polynomials of {@link Predicates} without rounding, in numbers of one kind. Sums
- * of doubles are fast, and recognise a tie as {@link Dyadic} numbers do, which have no limits.
+ * The signs of the polynomials of {@link Predicates} in numbers of one kind: the equations stand
+ * here once. Double-double numbers have a bound, and recognise no tie. Sums of doubles are without
+ * rounding, as {@link Dyadic} numbers are, which have no limits.
  */
 public abstract class ExactSigns<N extends Ring<N>> {
+
+  static final ExactSigns<BoundedNumber> BOUNDED =
+      new ExactSigns<>() {
+        @Override
+        BoundedNumber difference(double a, double b) {
+          return BoundedNumber.difference(a, b);
+        }
+
+        @Override
+        int sign(BoundedNumber value) {
+          return value.sign();
+        }
+      };
 
   public static final ExactSigns<Expansion> SUMS =
       new ExactSigns<>() {
@@ -98,8 +112,8 @@ public abstract class ExactSigns<N extends Ring<N>> {
       boolean isOpen = signX == Predicates.UNDECIDED || signY == Predicates.UNDECIDED;
       return isOpen ? Predicates.UNDECIDED : signX != 0 ? signX : -signY;
     }
-    N difference = x.times(x).times(square(wx, wy)).minus(y.times(y));
-    return sign(signX > 0 ? difference : difference.minus(difference).minus(difference));
+    int order = sign(x.times(x).times(square(wx, wy)).minus(y.times(y)));
+    return order == Predicates.UNDECIDED ? order : signX * order;
   }
 
   private N cross(N ax, N ay, N bx, N by) {

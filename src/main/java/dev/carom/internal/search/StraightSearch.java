@@ -326,7 +326,7 @@ final class StraightSearch extends CellWalk {
     double ay = lines[k + LineShape.AY];
     double bx = lines[k + LineShape.BX];
     double by = lines[k + LineShape.BY];
-    return SideSweep.refined(side, px, py, r, vx, vy, ax, ay, bx, by, 0, 0, rough);
+    return SideSweep.refined(side, px, py, r, vx, vy, ax, ay, bx, by, 0, 0, rough, NEVER);
   }
 
   private void offer(double t, int code, int contact) {

@@ -88,15 +88,7 @@ public final class DiskSweep {
 
   /** Whether the distance of the centres is less than r1 + r2. */
   public static boolean overlaps(double x1, double y1, double r1, double x2, double y2, double r2) {
-    double dx = x1 - x2;
-    double dy = y1 - y2;
-    double r = r1 + r2;
-    double dd = dx * dx + dy * dy;
-    double g = dd - r * r;
-    if (!(Math.abs(g) > TimeOfImpact.gapBound(dd + r * r))) {
-      g = Predicates.gap(x1, y1, x2, y2, r1, r2);
-    }
-    return g < 0;
+    return Predicates.gap(x1, y1, x2, y2, r1, r2) < 0;
   }
 
   /**
@@ -120,57 +112,28 @@ public final class DiskSweep {
     double r = r1 + r2;
     double rr = r * r;
     double dd = dx * dx + dy * dy;
+    double w = dd + rr;
     double b = ux * dx + uy * dy;
     double a = ux * ux + uy * uy;
     double k = ux * dy - uy * dx;
     double s = Math.sqrt(a * rr - k * k);
     double t = (dd - rr) / (s - b);
-    PrecisionCounters.root();
-    if (t > T && compareTime(x1, y1, r1, vx1, vy1, x2, y2, r2, vx2, vy2, T) > 0) {
-      return Double.POSITIVE_INFINITY;
-    }
     double half = 0.5 / s;
+    double lean = TimeOfImpact.firstLean(a, w, half);
+    PrecisionCounters.root();
     double c = residue(x1, y1, r1, vx1, vy1, x2, y2, r2, vx2, vy2, t) * half;
-    double w = dd + rr;
-    double error = TimeOfImpact.stepError(w, a, half, TimeOfImpact.firstLean(a, w, half), c);
-    double time = TimeOfImpact.rounded(t, c, error);
+    double time = TimeOfImpact.rounded(t, c, TimeOfImpact.stepError(w, a, half, lean, c), T);
     if (time < T) {
       return time;
     }
-    return time > T
-        ? Double.POSITIVE_INFINITY
-        : refined(x1, y1, r1, vx1, vy1, x2, y2, r2, vx2, vy2, T, t + c);
-  }
-
-  /** Refines the time t by more steps; exact numbers decide if no step can. */
-  private static double refined(
-      double x1, double y1, double r1, double vx1, double vy1, double x2, double y2, double r2,
-      double vx2, double vy2, double T, double start) {
-    double dx = x1 - x2;
-    double dy = y1 - y2;
-    double ux = vx1 - vx2;
-    double uy = vy1 - vy2;
-    double r = r1 + r2;
-    double w = dx * dx + dy * dy + r * r;
-    double a = ux * ux + uy * uy;
-    double bx = ux * dx;
-    double by = uy * dy;
-    double t = start;
-    for (int i = 0; i < TimeOfImpact.STEPS && t > 0; i++) {
-      PrecisionCounters.step();
-      double half = -0.5 / (bx + by + a * t);
-      double c = residue(x1, y1, r1, vx1, vy1, x2, y2, r2, vx2, vy2, t) * half;
-      double lean = TimeOfImpact.lean(half, Math.abs(bx) + Math.abs(by) + a * t, t);
-      double time = TimeOfImpact.rounded(t, c, TimeOfImpact.stepError(w, a, half, lean, c));
-      if (time < T) {
-        return time;
-      }
-      if (time > T) {
-        return Double.POSITIVE_INFINITY;
-      }
-      t += c;
-    }
-    return Exact.Disks.of(x1, y1, r1, vx1, vy1, x2, y2, r2, vx2, vy2).time().upTo(T);
+    time =
+        time > T
+            ? Double.POSITIVE_INFINITY
+            : SphereSweep.refined(
+                x1, y1, 0, r1, vx1, vy1, 0, x2, y2, 0, r2, vx2, vy2, 0, T, t + c);
+    return Double.isNaN(time)
+        ? Exact.Disks.of(x1, y1, r1, vx1, vy1, x2, y2, r2, vx2, vy2).time().upTo(T)
+        : time;
   }
 
   /** {@code f(t) = e.e - r^2} at {@code e = d + u t}. Cancelling terms have head and tail. */
@@ -201,34 +164,6 @@ public final class DiskSweep {
     double m = u * t;
     double ml = fma(differenceTail(v1, v2, u), t, productTail(u, t, m));
     return sumTail(d, m, d + m) + (differenceTail(x1, x2, d) + ml);
-  }
-
-  /**
-   * Compares the time of a LATER impact with the end T of a window, in plain doubles: +1 later, -1
-   * earlier, 0 in doubt.
-   */
-  public static int compareTime(
-      double x1, double y1, double r1, double vx1, double vy1, double x2, double y2, double r2,
-      double vx2, double vy2, double T) {
-    double dx = x1 - x2;
-    double dy = y1 - y2;
-    double ux = vx1 - vx2;
-    double uy = vy1 - vy2;
-    double mx = ux * T;
-    double my = uy * T;
-    double ex = dx + mx;
-    double ey = dy + my;
-    double x = Math.abs(dx) + Math.abs(mx);
-    double y = Math.abs(dy) + Math.abs(my);
-    double r = r1 + r2;
-    double rr = r * r;
-    return TimeOfImpact.order(
-        ux * ex + uy * ey,
-        Math.abs(ux) * x + Math.abs(uy) * y,
-        (ex * ex + ey * ey) - rr,
-        x * x + y * y + rr,
-        x + y,
-        T);
   }
 
   /**

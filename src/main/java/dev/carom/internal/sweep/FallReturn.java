@@ -107,10 +107,10 @@ public final class FallReturn {
 
   /** The region in which the disk touches the obstacle. */
   private static int region(Fall f) {
-    if (!f.isLine || SegmentSweep.along(f.px, f.py, f.ax, f.ay, f.ax, f.ay, f.bx, f.by) <= 0) {
+    if (!f.isLine || Predicates.dot(f.px, f.py, f.ax, f.ay, f.bx, f.by, f.ax, f.ay) <= 0) {
       return Gaps.BEFORE;
     }
-    return SegmentSweep.along(f.px, f.py, f.bx, f.by, f.ax, f.ay, f.bx, f.by) >= 0
+    return Predicates.dot(f.px, f.py, f.bx, f.by, f.bx, f.by, f.ax, f.ay) >= 0
         ? Gaps.BEYOND
         : Gaps.BESIDE;
   }

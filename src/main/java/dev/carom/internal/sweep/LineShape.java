@@ -71,11 +71,6 @@ public final class LineShape extends ObstacleShape {
 
   /** The sign of cross(b - a, p - a): positive if p is to the left of the line. */
   private static int side(double ax, double ay, double bx, double by, double x, double y) {
-    double s = (bx - ax) * (y - ay);
-    double t = (by - ay) * (x - ax);
-    double cross = s - t;
-    return Math.abs(cross) > TimeOfImpact.dotBound(Math.abs(s) + Math.abs(t))
-        ? (int) Math.signum(cross)
-        : Predicates.cross(bx, by, ax, ay, x, y, ax, ay);
+    return Predicates.cross(bx, by, ax, ay, x, y, ax, ay);
   }
 }

@@ -32,23 +32,11 @@ import dev.carom.internal.exact.Predicates;
  */
 public final class SegmentSweep {
 
-  /** cross(w, d), d.w: differences 1 + 1, product 1, sum 1: 4 u, and one more. */
-  private static final double PLACE_BOUND = 5 * 0x1p-53;
-
-  /** cross(w, v): differences 1 + 1, product 1, sum 1: 4 u, and two more. */
-  private static final double SPEED_BOUND = 6 * 0x1p-53;
-
   /**
    * cross^2 - r^2 w.w: the square has 2 x 4 + 1, the other term 1 + (2 + 1 + 1) + 1, the difference
    * 1: 10 u, and two more.
    */
   private static final double STRIP_BOUND = 12 * 0x1p-53;
-
-  /**
-   * x |x| w.w - y |y|, x = cross(d, v), y = r v.w: x has 4, its square 9, times w.w 9 + 4 + 1; y
-   * has 4 + 1, its square 11; the difference 1: 15 u, and two more.
-   */
-  private static final double CORNER_BOUND = 17 * 0x1p-53;
 
   private static final double TINY = TimeOfImpact.TINY;
 
@@ -133,14 +121,14 @@ public final class SegmentSweep {
   private static int inside(
       double px, double py, double r, double vx, double vy, double ax, double ay, double bx,
       double by, double ux, double uy) {
-    if (along(px, py, ax, ay, ax, ay, bx, by) <= 0) {
+    if (Predicates.dot(px, py, ax, ay, bx, by, ax, ay) <= 0) {
       return endpoint(Contact.START, px, py, r, vx, vy, ax, ay, ux, uy);
     }
-    if (along(px, py, bx, by, ax, ay, bx, by) >= 0) {
+    if (Predicates.dot(px, py, bx, by, bx, by, ax, ay) >= 0) {
       return endpoint(Contact.END, px, py, r, vx, vy, bx, by, ux, uy);
     }
     int side = Predicates.cross(bx, by, ax, ay, px, py, ax, ay);
-    boolean approaches = side * drift(vx, vy, ax, ay, bx, by, ux, uy) < 0;
+    boolean approaches = side * Predicates.cross(bx, by, ax, ay, vx, vy, ux, uy) < 0;
     return approaches ? Contact.NOW | sideOf(side) : Contact.MISS;
   }
 
@@ -148,13 +136,13 @@ public final class SegmentSweep {
   private static int outside(
       int side, double px, double py, double r, double vx, double vy, double ax, double ay,
       double bx, double by, double ux, double uy) {
-    if (side * drift(vx, vy, ax, ay, bx, by, ux, uy) >= 0) {
+    if (side * Predicates.cross(bx, by, ax, ay, vx, vy, ux, uy) >= 0) {
       return Contact.MISS;
     }
-    if (corner(side, px, py, ax, ay, vx, vy, ax, ay, bx, by, ux, uy, r) <= 0) {
+    if (Predicates.corner(side, px, py, ax, ay, vx, vy, ux, uy, bx, by, ax, ay, r) <= 0) {
       return endpoint(Contact.START, px, py, r, vx, vy, ax, ay, ux, uy);
     }
-    if (corner(side, px, py, bx, by, vx, vy, ax, ay, bx, by, ux, uy, r) >= 0) {
+    if (Predicates.corner(side, px, py, bx, by, vx, vy, ux, uy, bx, by, ax, ay, r) >= 0) {
       return endpoint(Contact.END, px, py, r, vx, vy, bx, by, ux, uy);
     }
     return sideOf(side);
@@ -172,61 +160,5 @@ public final class SegmentSweep {
       case Contact.NOW -> Contact.NOW | end;
       default -> end;
     };
-  }
-
-  /** The sign of cross(w, v): the side of the line towards which the centre moves. */
-  private static int drift(
-      double vx, double vy, double ax, double ay, double bx, double by, double ux, double uy) {
-    double c0 = (bx - ax) * (vy - uy);
-    double c1 = (by - ay) * (vx - ux);
-    double c = c0 - c1;
-    double bound = fma(SPEED_BOUND, Math.abs(c0) + Math.abs(c1), TINY);
-    if (Math.abs(c) > bound) {
-      return UnitVectors.sign(c);
-    }
-    return Predicates.cross(bx, by, ax, ay, vx, vy, ux, uy);
-  }
-
-  /** The sign of (p - q).w: whether p projects beyond q. */
-  static int along(
-      double px, double py, double qx, double qy, double ax, double ay, double bx, double by) {
-    double c0 = (px - qx) * (bx - ax);
-    double c1 = (py - qy) * (by - ay);
-    double c = c0 + c1;
-    double bound = fma(PLACE_BOUND, Math.abs(c0) + Math.abs(c1), TINY);
-    if (Math.abs(c) > bound) {
-      return UnitVectors.sign(c);
-    }
-    return Predicates.dot(px, py, qx, qy, bx, by, ax, ay);
-  }
-
-  /** The sign of the projection beyond q, an end of the line, at the edge of the strip. */
-  private static int corner(
-      int side, double px, double py, double qx, double qy, double vx, double vy, double ax,
-      double ay, double bx, double by, double ux, double uy, double r) {
-    double wx = bx - ax;
-    double wy = by - ay;
-    double sx = vx - ux;
-    double sy = vy - uy;
-    // x = -side cross(p - q, v - u), y = r (v - u).w
-    double x0 = (px - qx) * sy;
-    double x1 = (py - qy) * sx;
-    double y0 = sx * wx;
-    double y1 = sy * wy;
-    double x = -side * (x0 - x1);
-    double y = r * (y0 + y1);
-    double mx = Math.abs(x0) + Math.abs(x1);
-    double my = r * (Math.abs(y0) + Math.abs(y1));
-    double ww = wx * wx + wy * wy;
-    double s = x * Math.abs(x) * ww - y * Math.abs(y);
-    double bound =
-        fma(
-            CORNER_BOUND,
-            mx * mx * ww + my * my,
-            TINY * ((1 + mx) * (1 + mx + ww) + (1 + r) * (1 + my)));
-    if (Math.abs(s) > bound) {
-      return UnitVectors.sign(s);
-    }
-    return Predicates.corner(side, px, py, qx, qy, vx, vy, ux, uy, bx, by, ax, ay, r);
   }
 }

@@ -5,10 +5,8 @@ import static dev.carom.internal.exact.DoubleDouble.crossTail;
 import static dev.carom.internal.exact.DoubleDouble.differenceTail;
 import static dev.carom.internal.exact.DoubleDouble.productTail;
 import static dev.carom.internal.exact.DoubleDouble.sumTail;
-import static dev.carom.internal.exact.Fma.fma;
 
 import dev.carom.internal.exact.Exact;
-import dev.carom.internal.exact.ExactTime;
 import dev.carom.internal.exact.PrecisionCounters;
 
 /**
@@ -29,12 +27,6 @@ public final class SideSweep {
   /** Above this the square of a radius or of a length, and its tail, do not underflow. */
   private static final double LEAST_LENGTH = 0x1p-450;
 
-  /**
-   * The bound of the window's polynomial: cross(w, d) has 4, cross(w, v) T has 3 + 1, their
-   * difference 1; the square 2 x 5 + 1; r^2 w.w has 6; the difference 1: 12 u, and two more.
-   */
-  private static final double WINDOW_BOUND = 14 * 0x1p-53;
-
   private SideSweep() {}
 
   /**
@@ -46,27 +38,19 @@ public final class SideSweep {
   static double time(
       int side, double px, double py, double r, double vx, double vy, double ax, double ay,
       double bx, double by, double ux, double uy, double T) {
-    if (T < Double.POSITIVE_INFINITY && isLater(side, px, py, r, vx, vy, ax, ay, bx, by, ux, uy, T)) {
-      return Double.POSITIVE_INFINITY;
-    }
     double wx = bx - ax;
     double wy = by - ay;
     double scaledRadius = r * Math.sqrt(wx * wx + wy * wy);
     double c = side * (wx * (py - ay) - wy * (px - ax));
     double speed = -side * (wx * (vy - uy) - wy * (vx - ux));
-    double t = Math.max(0, (c - scaledRadius) / speed);
-    return refined(side, px, py, r, vx, vy, ax, ay, bx, by, ux, uy, t);
-  }
-
-  /** Whether the impact is later than T. */
-  private static boolean isLater(
-      int side, double px, double py, double r, double vx, double vy, double ax, double ay,
-      double bx, double by, double ux, double uy, double T) {
-    boolean rests = ux == 0 && uy == 0;
-    int order = rests ? compareTime(side, px, py, r, vx, vy, ax, ay, bx, by, T) : 0;
-    return order == 0
-        ? Exact.timeOfSide(px, py, r, vx, vy, ax, ay, bx, by, ux, uy).compare(ExactTime.of(T)) > 0
-        : order > 0;
+    double rough = Math.max(0, (c - scaledRadius) / speed);
+    double t = refined(side, px, py, r, vx, vy, ax, ay, bx, by, ux, uy, rough, T);
+    boolean isLate =
+        t > T
+            || (t == T
+                && t < Double.POSITIVE_INFINITY
+                && Exact.timeOfSide(px, py, r, vx, vy, ax, ay, bx, by, ux, uy).isAfter(T));
+    return isLate ? Double.POSITIVE_INFINITY : t;
   }
 
   /**
@@ -80,10 +64,11 @@ public final class SideSweep {
    * step from which it cancels to within 6 u, too: 12 u^2 M, of the 14 that are left there.
    *
    * @param rough any time from 0 on; the nearer to the impact, the fewer corrections are needed
+   * @param T a time certainly after this is {@code +infinity}
    */
   public static double refined(
       int side, double px, double py, double r, double vx, double vy, double ax, double ay,
-      double bx, double by, double ux, double uy, double rough) {
+      double bx, double by, double ux, double uy, double rough, double T) {
     double sx = vx - ux;
     double sy = vy - uy;
     double wx = bx - ax;
@@ -101,6 +86,9 @@ public final class SideSweep {
           step(side, px, py, r, sx, sy, ax, ay, bx, by, t, scaledRadius, speed) + lag * t;
       double error = stepError(px - ax, py - ay, r, sx, sy, wx, wy, scaledRadius, speed, t, step);
       double low = t + (step - error);
+      if (low > Math.max(T, LEAST_SAFE)) {
+        return Double.POSITIVE_INFINITY;
+      }
       if (low == t + (step + error) && low > LEAST_SAFE) {
         return low;
       }
@@ -193,27 +181,5 @@ public final class SideSweep {
       return Double.NaN;
     }
     return (256 * 0x1p-106 * m + Math.abs(step) * lean) / least;
-  }
-
-  /**
-   * Compares the time of impact with the end T of the window, in plain doubles: +1 later, -1
-   * earlier, 0 in doubt. The result is the sign of {@code c |c| - r^2 w.w},
-   * {@code c = |cross(w, d)| - |cross(w, v)| T}.
-   */
-  public static int compareTime(
-      int side, double px, double py, double r, double vx, double vy, double ax, double ay,
-      double bx, double by, double T) {
-    double wx = bx - ax;
-    double wy = by - ay;
-    double dx = px - ax;
-    double dy = py - ay;
-    double c = side * ((wx * dy - wy * dx) + (wx * vy - wy * vx) * T);
-    double m = Math.abs(wx * dy) + Math.abs(wy * dx) + (Math.abs(wx * vy) + Math.abs(wy * vx)) * T;
-    double rr = r * r;
-    double ww = wx * wx + wy * wy;
-    double s = c * Math.abs(c) - rr * ww;
-    double bound =
-        fma(WINDOW_BOUND, m * m + rr * ww, 0x1p-1000 * ((1 + m) * (1 + T) + rr + ww));
-    return s > bound ? 1 : s < -bound ? -1 : 0;
   }
 }

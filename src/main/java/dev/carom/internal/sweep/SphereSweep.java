@@ -85,25 +85,40 @@ public final class SphereSweep {
     if (discriminant < 0) {
       return NEVER;
     }
+    PrecisionCounters.root();
+    double b = ux * dx + uy * dy + uz * dz;
+    double t = g / (Math.sqrt(discriminant) - b);
+    return refined(x1, y1, z1, r1, vx1, vy1, vz1, x2, y2, z2, r2, vx2, vy2, vz2, T, t);
+  }
+
+  /**
+   * Corrects the time t of an impact by steps, until its rounding is known; NaN if no step tells.
+   */
+  static double refined(
+      double x1, double y1, double z1, double r1, double vx1, double vy1, double vz1, double x2,
+      double y2, double z2, double r2, double vx2, double vy2, double vz2, double T, double start) {
+    double dx = x1 - x2;
+    double dy = y1 - y2;
+    double dz = z1 - z2;
+    double ux = vx1 - vx2;
+    double uy = vy1 - vy2;
+    double uz = vz1 - vz2;
+    double r = r1 + r2;
+    double w = dx * dx + dy * dy + dz * dz + r * r;
+    double a = ux * ux + uy * uy + uz * uz;
     double b = ux * dx + uy * dy + uz * dz;
     double terms = Math.abs(ux * dx) + Math.abs(uy * dy) + Math.abs(uz * dz);
-    double s = Math.sqrt(discriminant);
-    double t = g / (s - b);
-    PrecisionCounters.root();
+    double t = start;
     for (int i = 0; i < TimeOfImpact.STEPS && t > 0; i++) {
-      boolean isFirst = i == 0;
-      double half = isFirst ? 0.5 / s : -0.5 / (b + a * t);
+      PrecisionCounters.step();
+      double half = -0.5 / (b + a * t);
       double c = residue(x1, y1, z1, r1, vx1, vy1, vz1, x2, y2, z2, r2, vx2, vy2, vz2, t) * half;
-      double lean =
-          isFirst
-              ? TimeOfImpact.firstLean(a, dd + rr, half)
-              : TimeOfImpact.lean(half, terms + a * t, t);
-      double time = TimeOfImpact.rounded(t, c, TimeOfImpact.stepError(dd + rr, a, half, lean, c));
+      double lean = TimeOfImpact.lean(half, terms + a * t, t);
+      double time = TimeOfImpact.rounded(t, c, TimeOfImpact.stepError(w, a, half, lean, c), T);
       if (time != T && !Double.isNaN(time)) {
         return time < T ? time : NEVER;
       }
       t += c;
-      PrecisionCounters.step();
     }
     return Double.NaN;
   }

@@ -55,13 +55,6 @@ public final class TimeOfImpact {
   private static final double DISCRIMINANT_BOUND = 17 * 0x1p-53;
 
   /**
-   * The bound of the window's polynomial: a place d + u T has 1, 1 + 1 and 1 u of its terms' sum X;
-   * its square 2 x 3 + 1, the sums 2, r^2 has 3, the difference 1: 10 u of the sum of all X^2 and
-   * r^2, and two more.
-   */
-  private static final double WINDOW_BOUND = 12 * 0x1p-53;
-
-  /**
    * Underflow: fewer than 32 operations lose at most 2^-1074 each, times the other factor of a
    * product; it is covered by this times the sum of the factors and 1.
    */
@@ -83,26 +76,6 @@ public final class TimeOfImpact {
 
   static double discriminantBound(double a, double w) {
     return fma(DISCRIMINANT_BOUND, a * w, TINY * (a + w + 1));
-  }
-
-  /**
-   * Compares the time of impact with the end T of the window, in plain doubles: +1 later, -1
-   * earlier, 0 in doubt. Later if at T, at the offset e = d + u T, the distance still falls,
-   * {@code u.e < 0}, and is above r; earlier if it does not fall, or is below.
-   *
-   * @param ue u.e
-   * @param leans the sum of the absolute values of its terms, with |d| + |u T| for e
-   * @param f e.e - r^2
-   * @param terms the like sum
-   * @param size the sum of the components' |d| + |u T|
-   */
-  static int order(double ue, double leans, double f, double terms, double size, double T) {
-    double lean = fma(WINDOW_BOUND, leans, TINY * (1 + T));
-    if (ue > lean) {
-      return -1;
-    }
-    double bound = fma(WINDOW_BOUND, terms, TINY * ((1 + size) * (1 + T)));
-    return f < -bound ? -1 : f > bound && ue < -lean ? 1 : 0;
   }
 
   /**
@@ -158,9 +131,15 @@ public final class TimeOfImpact {
     return fma(size, turn, fma(fma(PLACE_BOUND, w, TINY), half, TINY));
   }
 
-  /** t + c to the nearest double, NaN if the error of c leaves that open. */
-  static double rounded(double t, double c, double error) {
+  /**
+   * t + c to the nearest double, NaN if the error of c leaves that open; {@code +infinity} if it is
+   * certainly later than T.
+   */
+  static double rounded(double t, double c, double error, double T) {
     double low = t + (c - error);
+    if (low > T) {
+      return Double.POSITIVE_INFINITY;
+    }
     // All values in between round alike, and this one is available earlier.
     return low == t + (c + error) ? t + c : Double.NaN;
   }

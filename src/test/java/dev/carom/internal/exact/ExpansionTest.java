@@ -4,15 +4,12 @@ package dev.carom.internal.exact;
 import static org.assertj.core.api.Assertions.assertThat;
 
 import java.math.BigDecimal;
-import java.math.MathContext;
 import java.util.SplittableRandom;
 import org.junit.jupiter.api.Test;
 
 /** Sums of doubles without rounding, held to decimals of any length. */
 class ExpansionTest {
   private static final int TRIALS = 20_000;
-
-  private static final MathContext DIGITS = new MathContext(60);
 
   private final SplittableRandom random = new SplittableRandom(1);
 
@@ -91,10 +88,6 @@ class ExpansionTest {
       BigDecimal y = exact(b.head()).add(exact(b.tail()));
       assertWithin(4 * u2, a.plus(b), x.add(y));
       assertWithin(5 * u2, a.times(b), x.multiply(y));
-      assertWithin(15 * u2, a.over(b), x.divide(y, DIGITS));
-      if (a.head() > 0) {
-        assertWithin(4 * u2, a.root(), x.sqrt(DIGITS));
-      }
     }
   }
 

@@ -46,7 +46,20 @@ class SideSweepTest {
           double rough = time * (1 + error);
           assertThat(
                   SideSweep.refined(
-                      side, n[0], n[1], r, n[2], n[3], n[4], n[5], n[6], n[7], 0, 0, rough))
+                      side,
+                      n[0],
+                      n[1],
+                      r,
+                      n[2],
+                      n[3],
+                      n[4],
+                      n[5],
+                      n[6],
+                      n[7],
+                      0,
+                      0,
+                      rough,
+                      Double.POSITIVE_INFINITY))
               .as("query %d from %s", i, rough)
               .isEqualTo(time);
         }
