@@ -3,7 +3,6 @@ package dev.carom;
 
 import dev.carom.internal.exact.BoundedNumber;
 import dev.carom.internal.exact.Predicates;
-import dev.carom.internal.sweep.SegmentSweep;
 import dev.carom.internal.sweep.SideSweep;
 import dev.carom.internal.sweep.TimeOfImpact;
 import dev.carom.internal.sweep.WallSweep;
@@ -31,8 +30,6 @@ enum RoundingBound {
   /** The rounding of a place in the error of a step, and so the whole of f's share. */
   ROOT_PLACE(TimeOfImpact.class, "PLACE_BOUND"),
   ROOT_TINY(TimeOfImpact.class, "TINY"),
-  SEGMENT_STRIP(SegmentSweep.class, "STRIP_BOUND"),
-  SEGMENT_TINY(SegmentSweep.class, "TINY"),
   /** The rounding of h in the error of a step. */
   SIDE_PLACE(SideSweep.class, Kind.BOUND, 256 * 0x1p-106),
   /** The rounding of the divisions in the error of a step. */

@@ -9,7 +9,6 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 import dev.carom.PatchedDetector.Reply;
 import dev.carom.internal.exact.BoundedNumber;
 import dev.carom.internal.exact.Predicates;
-import dev.carom.internal.sweep.SegmentSweep;
 import dev.carom.internal.sweep.SideSweep;
 import dev.carom.internal.sweep.TimeOfImpact;
 import dev.carom.internal.sweep.WallSweep;
@@ -103,7 +102,6 @@ class RoundingBoundsTest {
   void noBoundIsLeftOut() {
     Stream.of(
             TimeOfImpact.class,
-            SegmentSweep.class,
             SideSweep.class,
             WallSweep.class,
             Predicates.class,

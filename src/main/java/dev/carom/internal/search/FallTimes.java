@@ -30,23 +30,7 @@ abstract class FallTimes extends CellWalk {
   /** Far more than the rounding of a time of return. */
   private static final double EARLIER = 1 - 0x1p-20;
 
-  private double gx;
-  private double gy;
-
-  // The obstacle: its row and its spine as they were at the start of the flight.
-  private double[] row;
-  private int k;
-  private double ax;
-  private double ay;
-  private double bx;
-  private double by;
-  private double radius;
-
-  // Its velocity.
-  private double ux;
-  private double uy;
-
-  /** The questions to the detector. */
+  /** The questions to the detector: the flight and the obstacle chosen. */
   private final Fall fall = new Fall();
 
   /** The time near which a hit is expected, which saves work; infinite or NaN for none. */
@@ -59,26 +43,21 @@ abstract class FallTimes extends CellWalk {
   @Override
   void start(MovingCircle m) {
     super.start(m);
-    gx = m.gx;
-    gy = m.gy;
-    fall.flight(px, py, r, vx, vy, gx, gy);
+    fall.flight(px, py, r, vx, vy, m.gx, m.gy);
   }
 
   /** Chooses an obstacle at rest, other than a wall. */
   final void choose(int code) {
     ObstacleRows rows = obstacles.of(code);
-    ux = 0;
-    uy = 0;
-    choose(rows.shape, rows.values, rows.offset(code));
+    fall.obstacle(rows.shape, rows.values, rows.offset(code), 0, 0);
   }
 
   /** Chooses number i of the obstacles that move. */
   final void chooseMoving(int i) {
     ObstacleMotions motions = obstacles.motions();
     obstacles.place(i, body.t, body.tl, placed);
-    ux = motions.ux(i);
-    uy = motions.uy(i);
-    choose(obstacles.of(motions.code(i)).shape, placed, 0);
+    ObstacleShape shape = obstacles.of(motions.code(i)).shape;
+    fall.obstacle(shape, placed, 0, motions.ux(i), motions.uy(i));
   }
 
   private void chooseAny(int code) {
@@ -90,30 +69,9 @@ abstract class FallTimes extends CellWalk {
     }
   }
 
-  private void choose(ObstacleShape shape, double[] rows, int at) {
-    row = rows;
-    k = at;
-    int end = at + shape.toEnd;
-    ax = rows[at + ObstacleShape.X];
-    ay = rows[at + ObstacleShape.Y];
-    bx = rows[end + ObstacleShape.X];
-    by = rows[end + ObstacleShape.Y];
-    radius = shape.radius(rows, at);
-    take();
-  }
-
-  /** Asks about the obstacle chosen from here on. */
-  private void take() {
-    if (radius == 0) {
-      fall.line(ax, ay, bx, by, ux, uy);
-    } else {
-      fall.disk(ax, ay, radius, ux, uy);
-    }
-  }
-
   /** Whether the obstacle was removed: a list may still name it. */
   final boolean isGone() {
-    return Double.isNaN(ax);
+    return Double.isNaN(fall.ax);
   }
 
   // Times.
@@ -122,7 +80,7 @@ abstract class FallTimes extends CellWalk {
   final double wallTime(int code, double to) {
     boolean isVertical = Codes.isVertical(code);
     double v = isVertical ? vx : vy;
-    double g = isVertical ? gx : gy;
+    double g = isVertical ? fall.gx : fall.gy;
     int inward = Codes.inwards(code);
     return code == body.last
         ? FallReturn.toWall(v, g, inward, to)
@@ -157,44 +115,42 @@ abstract class FallTimes extends CellWalk {
 
   /** The time at which a circle that slid off an end of a line hits that or the other end. */
   private double timeAtEnds(double to) {
+    double ax = fall.ax;
+    double ay = fall.ay;
+    double bx = fall.bx;
+    double by = fall.by;
+    double ux = fall.ux;
+    double uy = fall.uy;
     boolean isAtStart = isNearerToStart();
-    double nearX = isAtStart ? ax : bx;
-    double nearY = isAtStart ? ay : by;
-    double farX = isAtStart ? bx : ax;
-    double farY = isAtStart ? by : ay;
-    double back = FallReturn.time(fall.disk(nearX, nearY, 0, ux, uy), to);
-    double other = FallSweep.time(fall.disk(farX, farY, 0, ux, uy), to);
-    take();
+    fall.disk(isAtStart ? ax : bx, isAtStart ? ay : by, 0, ux, uy);
+    double back = FallReturn.time(fall, to);
+    fall.disk(isAtStart ? bx : ax, isAtStart ? by : ay, 0, ux, uy);
+    double other = FallSweep.time(fall, to);
+    fall.line(ax, ay, bx, by, ux, uy);
     return Math.min(back, other);
   }
 
   private boolean isNearerToStart() {
-    double toAx = px - ax;
-    double toAy = py - ay;
-    double toBx = px - bx;
-    double toBy = py - by;
-    return toAx * toAx + toAy * toAy < toBx * toBx + toBy * toBy;
+    double toEndX = px - fall.bx;
+    double toEndY = py - fall.by;
+    return fall.dx * fall.dx + fall.dy * fall.dy < toEndX * toEndX + toEndY * toEndY;
   }
 
   /** The next time at which a one-way line is hit, see {@link OneWay}. */
   private double timeOfOneWay(int code, double to) {
     if (code == body.last) {
       double t = timeOfReturn(code, to);
-      if (t > to || t == NEVER || isLeft(t)) {
+      if (t > to || t == NEVER || OneWay.isLeft(fall, t)) {
         return t;
       }
-    } else if (OneWay.standsOn(body, row, k) && FallSweep.time(fall, about, to) == 0) {
+    } else if (OneWay.standsOn(fall) && FallSweep.time(fall, about, to) == 0) {
       return 0;
     }
     double t = FallSweep.timeAfter(fall, -1, to);
-    while (t <= to && t < NEVER && !isLeft(t)) {
+    while (t <= to && t < NEVER && !OneWay.isLeft(fall, t)) {
       t = FallSweep.timeAfter(fall, t, to);
     }
     return t;
-  }
-
-  private boolean isLeft(double t) {
-    return OneWay.isLeft(body, row, k, ux, uy, t);
   }
 
   /**
@@ -209,17 +165,17 @@ abstract class FallTimes extends CellWalk {
     }
     choose(body.last);
     double part = nearestPart();
-    double nx = px - (ax + part * (bx - ax));
-    double ny = py - (ay + part * (by - ay));
+    double nx = px - (fall.ax + part * (fall.bx - fall.ax));
+    double ny = py - (fall.ay + part * (fall.by - fall.ay));
     double nn = nx * nx + ny * ny;
-    double sum = r + radius;
+    double sum = r + fall.radius;
     double reach = EARLIER * sum;
     if (!(nn > reach * reach)) {
       return 0; // it overlaps that, and may come deeper; or n is NaN
     }
     // The normal errs by this, so speeds along it by that times theirs.
-    double places = Math.abs(px) + Math.abs(py) + Math.abs(ax) + Math.abs(ay);
-    double error = 0x1p-50 * (places + Math.abs(bx) + Math.abs(by));
+    double places = Math.abs(px) + Math.abs(py) + Math.abs(fall.ax) + Math.abs(fall.ay);
+    double error = 0x1p-50 * (places + Math.abs(fall.bx) + Math.abs(fall.by));
     double away = vx * nx + vy * ny;
     double terms = Math.abs(vx * nx) + Math.abs(vy * ny);
     double termsOfError = error * (Math.abs(vx) + Math.abs(vy));
@@ -227,9 +183,9 @@ abstract class FallTimes extends CellWalk {
       return 0; // the relative error of that may exceed the margin
     }
     double pull =
-        ROUNDING * (Math.abs(gx * nx) + Math.abs(gy * ny))
-            + error * (Math.abs(gx) + Math.abs(gy))
-            - (gx * nx + gy * ny);
+        ROUNDING * (Math.abs(fall.gx * nx) + Math.abs(fall.gy * ny))
+            + error * (Math.abs(fall.gx) + Math.abs(fall.gy))
+            - (fall.gx * nx + fall.gy * ny);
     // At least 2 (sum - |n|) |n|. The return to the side beside an end is earlier by a quarter of
     // overlap pull / away^2, in proportion: far less than the margin.
     double overlap = Math.max(0, sum * sum - nn) + 4 * error * sum;
@@ -252,13 +208,11 @@ abstract class FallTimes extends CellWalk {
 
   /** The part of the way along the spine to its point nearest to the centre; NaN if too long. */
   private double nearestPart() {
-    double wx = bx - ax;
-    double wy = by - ay;
-    double square = wx * wx + wy * wy;
+    double square = fall.wx * fall.wx + fall.wy * fall.wy;
     if (square == 0) {
       return 0;
     }
-    double part = ((px - ax) * wx + (py - ay) * wy) / square;
+    double part = (fall.dx * fall.wx + fall.dy * fall.wy) / square;
     return square < NEVER ? Math.max(0, Math.min(1, part)) : Double.NaN;
   }
 
@@ -271,12 +225,11 @@ abstract class FallTimes extends CellWalk {
       return NEVER;
     }
     chooseAny(code);
-    double wx = bx - ax;
-    double wy = by - ay;
-    double speed = wx * (vx - ux) + wy * (vy - uy);
-    double pull = wx * gx + wy * gy;
-    double toEnd = reaches(wx * (px - bx) + wy * (py - by), speed, pull);
-    double toStart = reaches(wx * (ax - px) + wy * (ay - py), -speed, -pull);
+    double speed = fall.wx * fall.sx + fall.wy * fall.sy;
+    double pull = fall.wx * fall.gx + fall.wy * fall.gy;
+    double beyond = fall.wx * (px - fall.bx) + fall.wy * (py - fall.by);
+    double toEnd = reaches(beyond, speed, pull);
+    double toStart = reaches(-(fall.wx * fall.dx + fall.wy * fall.dy), -speed, -pull);
     return Math.min(toEnd, toStart);
   }
 

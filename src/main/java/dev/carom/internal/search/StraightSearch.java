@@ -240,18 +240,20 @@ final class StraightSearch extends CellWalk {
     int k = rows.offset(code);
     boolean isGone = Double.isNaN(rows.values[k]);
     if (code != bestCode && !isGone && !isAtRest() && !ignores(code)) {
-      ask(code, rows.shape, rows.values, k, 0, 0);
+      ask(code, rows.shape, rows.values, k, 0, 0, NEVER);
     }
   }
 
-  private void ask(int code, ObstacleShape shape, double[] values, int k, double ux, double uy) {
-    if (special && obstacles.isOneWay(code) && !OneWay.stops(body, values, k, ux, uy)) {
+  /** Asks for an impact up to the rounding of a time. */
+  private void ask(
+      int code, ObstacleShape shape, double[] values, int k, double ux, double uy, double end) {
+    question.flight(px, py, r, vx, vy, 0, 0).obstacle(shape, values, k, ux, uy);
+    if (special && obstacles.isOneWay(code) && !OneWay.stops(question)) {
       return;
     }
-    question.flight(px, py, r, vx, vy, 0, 0).obstacle(shape, values, k, ux, uy);
     int contact = FallSweep.straightContact(question);
     if (contact != Contact.MISS) {
-      offer(FallSweep.straightTime(question, contact, NEVER), code, contact);
+      offer(FallSweep.straightTime(question, contact, Math.nextUp(end)), code, contact);
     }
   }
 
@@ -363,30 +365,7 @@ final class StraightSearch extends CellWalk {
     obstacles.place(i, body.t, body.tl, placed);
     double ux = obstacles.motions().ux(i);
     double uy = obstacles.motions().uy(i);
-    if (!Codes.isLine(code) || mayHit(vx - ux, vy - uy, Math.min(end, latest))) {
-      ask(code, obstacles.of(code).shape, placed, 0, ux, uy);
-    }
-  }
-
-  /**
-   * Whether the moving line may be hit by a given time, by the filter for a line at rest. The
-   * relative velocity s is rounded, by 1 u of each component; twice the margin covers that.
-   */
-  private boolean mayHit(double sx, double sy, double end) {
-    double ax = placed[LineShape.AX];
-    double ay = placed[LineShape.AY];
-    double bx = placed[LineShape.BX];
-    double endY = placed[LineShape.BY];
-    double ofA = Math.max(Math.abs(ax), Math.abs(ay));
-    double ofB = Math.max(Math.abs(bx), Math.abs(endY));
-    double size = Math.abs(px) + Math.abs(py) + r + Math.max(ofA, ofB);
-    double doubt = 2 * SegmentFilter.margin(Math.abs(sx) + Math.abs(sy), size);
-    int contact = SegmentFilter.contact(px, py, r, sx, sy, ax, ay, bx, endY, doubt);
-    if (contact <= Contact.MISS) {
-      return contact == Contact.DOUBT;
-    }
-    double rough = SegmentFilter.time(contact, px, py, r, sx, sy, ax, ay, bx, endY);
-    return !(rough * (1 - SegmentFilter.TIME_ERROR) > end);
+    ask(code, obstacles.of(code).shape, placed, 0, ux, uy, Math.min(end, latest));
   }
 
   // Exact times.

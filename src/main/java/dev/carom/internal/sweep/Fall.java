@@ -12,9 +12,9 @@ import dev.carom.internal.exact.Ring;
  * A disk with a constant acceleration, and an obstacle: a line from a to b, or a disk around a = b.
  * The obstacle moves with the velocity u.
  *
- * <p>The numbers are set for each question, so that many are asked without allocation. All is seen
- * from the obstacle: {@code d = p - a} is the offset, {@code s = v - u} the velocity, {@code w = b
- * - a} the line, each rounded once.
+ * <p>The numbers are set for each question, by the methods below only, so that many are asked
+ * without allocation. All is seen from the obstacle: {@code d = p - a} is the offset, {@code s = v
+ * - u} the velocity, {@code w = b - a} the line, each rounded once.
  *
  * <p>Not safe for use by several threads.
  */
@@ -34,34 +34,34 @@ public final class Fall {
   private static final ThreadLocal<Fall> OF_THREAD = ThreadLocal.withInitial(Fall::new);
 
   // The disk and its flight.
-  double px;
-  double py;
-  double r;
-  double vx;
-  double vy;
-  double gx;
-  double gy;
+  public double px;
+  public double py;
+  public double r;
+  public double vx;
+  public double vy;
+  public double gx;
+  public double gy;
 
   // The obstacle. A line has the radius 0; one of no length is a disk.
-  double ax;
-  double ay;
-  double bx;
-  double by;
-  double radius;
-  double ux;
-  double uy;
+  public double ax;
+  public double ay;
+  public double bx;
+  public double by;
+  public double radius;
+  public double ux;
+  public double uy;
   boolean isLine;
 
   /** Whether it is a line, if perhaps of no length. */
   boolean isSegment;
 
   // As seen from the obstacle.
-  double dx;
-  double dy;
-  double sx;
-  double sy;
-  double wx;
-  double wy;
+  public double dx;
+  public double dy;
+  public double sx;
+  public double sy;
+  public double wx;
+  public double wy;
 
   /** Its numbers are used again and again; null before the first question that comes to it. */
   private GapSearch search;

@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 package dev.carom.internal.sweep;
 
-import static dev.carom.internal.exact.Fma.fma;
-
 import dev.carom.internal.exact.Predicates;
 
 /**
@@ -27,18 +25,9 @@ import dev.carom.internal.exact.Predicates;
  *       Predicates#corner}).
  * </ol>
  *
- * Decisions are signs of polynomials, first in plain doubles against a bound of their rounding
- * errors (counted as in {@link TimeOfImpact}), in doubt by {@link Predicates}. None takes a root.
+ * Decisions are signs of polynomials, taken by {@link Predicates}. None takes a root.
  */
 public final class SegmentSweep {
-
-  /**
-   * cross^2 - r^2 w.w: the square has 2 x 4 + 1, the other term 1 + (2 + 1 + 1) + 1, the difference
-   * 1: 10 u, and two more.
-   */
-  private static final double STRIP_BOUND = 12 * 0x1p-53;
-
-  private static final double TINY = TimeOfImpact.TINY;
 
   private SegmentSweep() {}
 
@@ -49,24 +38,8 @@ public final class SegmentSweep {
   public static int contact(
       double px, double py, double r, double vx, double vy, double ax, double ay, double bx,
       double by, double ux, double uy) {
-    double wx = bx - ax;
-    double wy = by - ay;
-    double dx = px - ax;
-    double dy = py - ay;
     // strip = cross(w, d)^2 - r^2 w.w
-    double c0 = wx * dy;
-    double c1 = wy * dx;
-    double c = c0 - c1;
-    double m = Math.abs(c0) + Math.abs(c1);
-    double ww = wx * wx + wy * wy;
-    double rr = r * r;
-    double scaledSquare = rr * ww;
-    double strip = c * c - scaledSquare;
-    double bound = fma(STRIP_BOUND, m * m + scaledSquare, TINY * (m + rr + ww + 1));
-    if (strip > bound) {
-      return outside(UnitVectors.sign(c), px, py, r, vx, vy, ax, ay, bx, by, ux, uy);
-    }
-    if (!(strip < -bound) && Predicates.discriminant(bx, by, ax, ay, px, py, ax, ay, r, 0) < 0) {
+    if (Predicates.discriminant(bx, by, ax, ay, px, py, ax, ay, r, 0) < 0) {
       int side = Predicates.cross(bx, by, ax, ay, px, py, ax, ay);
       return outside(side, px, py, r, vx, vy, ax, ay, bx, by, ux, uy);
     }
