@@ -42,9 +42,13 @@ final class CastTarget {
     return gx != 0 || gy != 0;
   }
 
-  /** Whether a cast may hit this circle; false only if it certainly does not. */
-  boolean mayBeHit(MovingCircle m) {
-    return DiskSweep.mayMeet(m.x - x, m.y - y, m.vx - vx, m.vy - vy, m.radius + r);
+  /** Whether a cast that never ends hits this circle, if it does not fall. */
+  boolean isHit(MovingCircle m) {
+    return straightContact(m) != Contact.MISS;
+  }
+
+  private int straightContact(MovingCircle m) {
+    return DiskSweep.contact(m.x, m.y, m.radius, m.vx, m.vy, x, y, r, vx, vy);
   }
 
   /**
@@ -61,7 +65,7 @@ final class CastTarget {
       contact = t == 0 ? Contact.NOW : t < NEVER ? Contact.LATER : Contact.MISS;
       return t;
     }
-    contact = DiskSweep.contact(m.x, m.y, m.radius, m.vx, m.vy, x, y, r, vx, vy);
+    contact = straightContact(m);
     return DiskSweep.time(contact, m.x, m.y, m.radius, m.vx, m.vy, x, y, r, vx, vy, end);
   }
 

@@ -21,69 +21,21 @@ import dev.carom.internal.exact.UnitVector;
  */
 public final class DiskSweep {
 
-  /** In units of the terms: far more than the rounding of a square. */
-  private static final double ROUNDING = 0x1p-40;
-
   private DiskSweep() {}
-
-  /**
-   * Whether two disks may meet, by plain doubles: false only if it is certain that they separate or
-   * pass each other. It takes their offset, their relative velocity and the sum of their radii.
-   */
-  public static boolean mayMeet(double dx, double dy, double ux, double uy, double r) {
-    double bx = ux * dx;
-    double by = uy * dy;
-    if (bx + by > ROUNDING * (Math.abs(bx) + Math.abs(by)) + Double.MIN_NORMAL) {
-      return false;
-    }
-    double wayX = ux * r;
-    double wayY = uy * r;
-    double reach = wayX * wayX + wayY * wayY;
-    double left = ux * dy;
-    double right = uy * dx;
-    double cross = left - right;
-    double area = Math.abs(left) + Math.abs(right);
-    return !(cross * cross > reach + ROUNDING * (reach + area * area) + Double.MIN_NORMAL);
-  }
 
   /** The contact of two disks that touch while approaching: NOW, LATER or MISS. */
   public static int contact(
       double x1, double y1, double r1, double vx1, double vy1, double x2, double y2, double r2,
       double vx2, double vy2) {
-    double dx = x1 - x2;
-    double dy = y1 - y2;
-    double ux = vx1 - vx2;
-    double uy = vy1 - vy2;
-    // b = u.d
-    double bx = ux * dx;
-    double by = uy * dy;
-    double b = bx + by;
-    if (!(Math.abs(b) > TimeOfImpact.dotBound(Math.abs(bx) + Math.abs(by)))) {
-      b = Predicates.dot(vx1, vy1, vx2, vy2, x1, y1, x2, y2);
-    }
-    if (b >= 0) {
+    // u.d, then d.d - r^2, then u.u r^2 - cross(u, d)^2
+    if (Predicates.dot(vx1, vy1, vx2, vy2, x1, y1, x2, y2) >= 0) {
       return Contact.MISS;
     }
-    // g = d.d - r^2
-    double r = r1 + r2;
-    double rr = r * r;
-    double dd = dx * dx + dy * dy;
-    double w = dd + rr;
-    double g = dd - rr;
-    if (!(Math.abs(g) > TimeOfImpact.gapBound(w))) {
-      g = Predicates.gap(x1, y1, x2, y2, r1, r2);
-    }
-    if (g <= 0) {
+    if (Predicates.gap(x1, y1, x2, y2, r1, r2) <= 0) {
       return Contact.NOW;
     }
-    // discriminant = a r^2 - cross(u, d)^2
-    double a = ux * ux + uy * uy;
-    double k = ux * dy - uy * dx;
-    double discriminant = a * rr - k * k;
-    if (!(Math.abs(discriminant) > TimeOfImpact.discriminantBound(a, w))) {
-      discriminant = Predicates.discriminant(vx1, vy1, vx2, vy2, x1, y1, x2, y2, r1, r2);
-    }
-    return discriminant > 0 || (discriminant == 0 && r == 0) ? Contact.LATER : Contact.MISS;
+    int sign = Predicates.discriminant(vx1, vy1, vx2, vy2, x1, y1, x2, y2, r1, r2);
+    return sign > 0 || (sign == 0 && r1 + r2 == 0) ? Contact.LATER : Contact.MISS;
   }
 
   /** Whether the distance of the centres is less than r1 + r2. */
@@ -143,18 +95,8 @@ public final class DiskSweep {
     double x = (x1 - x2) + (vx1 - vx2) * t;
     double y = (y1 - y2) + (vy1 - vy2) * t;
     double r = r1 + r2;
-    double xl = terms(x1, x2, vx1, vx2, t);
-    double yl = terms(y1, y2, vy1, vy2, t);
-    double rl = sumTail(r1, r2, r);
-    double xx = x * x;
-    double yy = y * y;
-    double rr = r * r;
-    double ee = xx + yy;
-    double f = ee - rr;
-    return f
-        + ((sumTail(xx, yy, ee) + differenceTail(ee, rr, f))
-            + ((productTail(x, x, xx) + productTail(y, y, yy)) - productTail(r, r, rr))
-            + 2 * (x * xl + y * yl - r * rl));
+    return TimeOfImpact.gap(
+        x, terms(x1, x2, vx1, vx2, t), y, terms(y1, y2, vy1, vy2, t), r, sumTail(r1, r2, r));
   }
 
   /** The rounding error of d + u t on one axis, below 4 u of its terms. */

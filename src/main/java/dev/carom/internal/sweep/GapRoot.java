@@ -168,21 +168,9 @@ final class GapRoot {
 
   /** {@code d.d - r^2} at t. */
   static double residueOfEnd(Fall f, double qx, double qy, double t) {
-    double x = f.x(qx, t);
-    double y = f.y(qy, t);
-    double xl = f.xTail(qx, t);
-    double yl = f.yTail(qy, t);
     double r = f.r + f.radius;
     double rl = sumTail(f.r, f.radius, r);
-    double xx = x * x;
-    double yy = y * y;
-    double rr = r * r;
-    double ee = xx + yy;
-    double gap = ee - rr;
-    return gap
-        + ((sumTail(xx, yy, ee) + differenceTail(ee, rr, gap))
-            + ((productTail(x, x, xx) + productTail(y, y, yy)) - productTail(r, r, rr))
-            + 2 * (x * xl + y * yl - r * rl));
+    return TimeOfImpact.gap(f.x(qx, t), f.xTail(qx, t), f.y(qy, t), f.yTail(qy, t), r, rl);
   }
 
   /**

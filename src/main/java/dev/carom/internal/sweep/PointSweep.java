@@ -67,14 +67,6 @@ public final class PointSweep {
     double y = dy + my;
     double xl = sumTail(dx, mx, x) + (differenceTail(px, qx, dx) + productTail(vx, t, mx));
     double yl = sumTail(dy, my, y) + (differenceTail(py, qy, dy) + productTail(vy, t, my));
-    double xx = x * x;
-    double yy = y * y;
-    double rr = r * r;
-    double ee = xx + yy;
-    double f = ee - rr;
-    return f
-        + ((sumTail(xx, yy, ee) + differenceTail(ee, rr, f))
-            + ((productTail(x, x, xx) + productTail(y, y, yy)) - productTail(r, r, rr))
-            + 2 * (x * xl + y * yl));
+    return TimeOfImpact.gap(x, xl, y, yl, r, 0);
   }
 }

@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 package dev.carom.internal.sweep;
 
+import static dev.carom.internal.exact.DoubleDouble.differenceTail;
+import static dev.carom.internal.exact.DoubleDouble.productTail;
+import static dev.carom.internal.exact.DoubleDouble.sumTail;
 import static dev.carom.internal.exact.Fma.fma;
 
 import dev.carom.internal.exact.Predicates;
@@ -64,6 +67,19 @@ public final class TimeOfImpact {
   private static final double PLACE_BOUND = 512 * 0x1p-106;
 
   private TimeOfImpact() {}
+
+  /** x^2 + y^2 - r^2 of numbers with tails. */
+  static double gap(double x, double xl, double y, double yl, double r, double rl) {
+    double xx = x * x;
+    double yy = y * y;
+    double rr = r * r;
+    double ee = xx + yy;
+    double f = ee - rr;
+    return f
+        + ((sumTail(xx, yy, ee) + differenceTail(ee, rr, f))
+            + ((productTail(x, x, xx) + productTail(y, y, yy)) - productTail(r, r, rr))
+            + 2 * (x * xl + y * yl - r * rl));
+  }
 
   static double dotBound(double terms) {
     return fma(DOT_BOUND, terms, TINY);
