@@ -12,11 +12,19 @@ import dev.carom.internal.exact.PrecisionCounters;
  * @param roots square roots of doubles
  * @param exactTimes times of impact that double-double could not round
  * @param pairTests how often a world looked at a circle and a line or peg together
+ * @param falls questions about circles with an acceleration, one for each obstacle asked about
+ * @param exactFalls of them, those that exact numbers answered
  */
 public record RungCounts(
-    long doubtfulDecisions, long exactDecisions, long roots, long exactTimes, long pairTests) {
+    long doubtfulDecisions,
+    long exactDecisions,
+    long roots,
+    long exactTimes,
+    long pairTests,
+    long falls,
+    long exactFalls) {
 
-  private static final RungCounts NONE = new RungCounts(0, 0, 0, 0, 0);
+  private static final RungCounts NONE = new RungCounts(0, 0, 0, 0, 0, 0, 0);
 
   private static final String PROPERTY = "dev.carom.rungs";
 
@@ -52,7 +60,9 @@ public record RungCounts(
         PrecisionCounters.COUNT.exactDecisions,
         PrecisionCounters.COUNT.roots,
         PrecisionCounters.COUNT.exactTimes,
-        PrecisionCounters.COUNT.pairTests);
+        PrecisionCounters.COUNT.pairTests,
+        PrecisionCounters.COUNT.parabolas,
+        PrecisionCounters.COUNT.exactParabolas);
   }
 
   /**
@@ -70,6 +80,8 @@ public record RungCounts(
         exactDecisions - before.exactDecisions,
         roots - before.roots,
         exactTimes - before.exactTimes,
-        pairTests - before.pairTests);
+        pairTests - before.pairTests,
+        falls - before.falls,
+        exactFalls - before.exactFalls);
   }
 }

@@ -12,6 +12,8 @@ import dev.carom.bench.experiment.Crosses;
 import dev.carom.bench.experiment.Gas;
 import dev.carom.bench.experiment.SceneCopy;
 import dev.carom.bench.experiment.Tiles;
+import dev.carom.bench.measures.SceneRungs;
+import dev.carom.bench.methods.RungCounts;
 import dev.carom.bench.results.Row;
 import java.lang.ref.Reference;
 import java.util.ArrayList;
@@ -202,6 +204,27 @@ public final class Features {
     Turns.warmUp(warmUpMillis, () -> uses.forEach(use -> use.play(new int[1])));
     turns.rounds(rounds, uses, Features::timed).forEach((use, times) -> add(rows, use, times));
     return rows;
+  }
+
+  /**
+   * Plays each scene once, and counts how often it needs more precision.
+   *
+   * @param progress called after each scene
+   */
+  public List<SceneRungs> rungs(Runnable progress) {
+    List<SceneRungs> counts = new ArrayList<>();
+    for (Use use : uses) {
+      RungCounts before = RungCounts.now();
+      use.play(new int[1]);
+      counts.add(new SceneRungs(SCENE + use.name, RungCounts.now().since(before)));
+      progress.run();
+    }
+    return counts;
+  }
+
+  /** The number of scenes. */
+  public int size() {
+    return uses.size();
   }
 
   /** Nanoseconds of a frame, and impacts of all. */

@@ -42,4 +42,22 @@ class RungsCommandTest {
       assertThat(counts[5] + counts[6]).as("%s", rows.get(i)).isEqualTo(counts[4]);
     }
   }
+
+  @Test
+  void scenesFollowWithTheirFalls(@TempDir Path folder) throws IOException {
+    Path file = folder.resolve("rungs.csv");
+
+    Cli run = Cli.run("rungs", "--queries", 1, "--scenes", "--csv", file);
+
+    assertThat(run.exitCode()).isZero();
+    assertThat(run.out())
+        .containsPattern("feature:gravity +[1-9]\\d* +\\d+ +\\d+ +\\d+ +[1-9]\\d*");
+    assertThat(ResultsCsv.read(file))
+        .anySatisfy(
+            row -> {
+              assertThat(row.scene()).isEqualTo("feature:gravity");
+              assertThat(row.metric()).isEqualTo("rungs_of_falls");
+              assertThat(row.value()).isPositive();
+            });
+  }
 }
