@@ -3,7 +3,6 @@ package dev.carom.internal.sweep;
 
 import static dev.carom.internal.exact.DoubleDouble.crossTail;
 import static dev.carom.internal.exact.DoubleDouble.differenceTail;
-import static dev.carom.internal.exact.Fma.fma;
 
 import dev.carom.internal.exact.ExactParabola;
 import dev.carom.internal.exact.ExactReturn;
@@ -15,12 +14,13 @@ import dev.carom.internal.exact.Predicates;
 import dev.carom.internal.exact.RealRoot;
 
 /**
- * When a disk with a constant acceleration comes back to the thing that it has just hit.
+ * When a disk with a constant acceleration comes back to the obstacle that it has just hit.
  *
- * <p>Its gap at the start is 0 by definition, whatever its rounded place says. So the gap is
- * counted from there, and its root at time 0 is divided out, exactly. A speed along the normal that
- * is negative counts as 0: it is a rounding error of the response. Without that speed the
- * acceleration decides: inward, the answer is 0, for the disk is supported; outward, it leaves.
+ * <p>At the start the disk touches the obstacle by definition, but its rounded place may be some
+ * ulps beside. So its gap counts from the start: the value there is subtracted, and the root at
+ * time 0 is divided out, both exactly. A negative speed along the normal counts as 0: it is a
+ * rounding error of the response. Without a speed the acceleration decides. If it points to the
+ * obstacle, the disk is supported, and the answer is 0. Otherwise the disk leaves.
  *
  * <p>A line has three parts, its side and its ends. The disk touches the part in whose region its
  * centre is at the start, and the gap of this part counts from there. Those of the others are what
@@ -37,17 +37,6 @@ import dev.carom.internal.exact.RealRoot;
 public final class FallReturn {
 
   private static final double NEVER = Double.POSITIVE_INFINITY;
-
-  /**
-   * The correction of a quotient of cross products, of their terms over the divisor. The products
-   * err by 64 u^2 of them. Their tails are below 4 u, so the numerator is below 5 u, and its sums
-   * err by 13 u^2. The divisor errs by 2 u, so the quotient does by 15 u^2; its sum with the bound
-   * takes 5 u^2: 97 u^2 in all.
-   *
-   * <p>The divisor does so if its terms are at most 2^46 times itself. Where they are more, this
-   * bound exceeds half an ulp of the quotient.
-   */
-  private static final double CROSS_BOUND = 128 * 0x1p-106;
 
   private static final double LEAST_SAFE = 0x1p-400;
 
@@ -168,37 +157,32 @@ public final class FallReturn {
     if (side * Predicates.cross(f.bx, f.by, f.ax, f.ay, f.vx, f.vy, f.ux, f.uy) <= 0) {
       return 0;
     }
-    double wxl = differenceTail(f.bx, f.ax, f.wx);
-    double wyl = differenceTail(f.by, f.ay, f.wy);
-    double sxl = differenceTail(f.vx, f.ux, f.sx);
-    double syl = differenceTail(f.vy, f.uy, f.sy);
-    double n = 2 * (f.wx * f.sy - f.wy * f.sx);
-    double nl = 2 * crossTail(f.wx, wxl, f.wy, wyl, f.sx, sxl, f.sy, syl, 0.5 * n);
-    double d = f.wy * f.gx - f.wx * f.gy;
-    double dl = -crossTail(f.wx, wxl, f.wy, wyl, f.gx, 0, f.gy, 0, -d);
-    double t = n / d;
-    double divisor = d + dl;
-    double step = (fma(-t, d, n) + (nl - t * dl)) / divisor;
-    double terms =
-        2 * (Math.abs(f.wx * f.sy) + Math.abs(f.wy * f.sx))
-            + t * (Math.abs(f.wx * f.gy) + Math.abs(f.wy * f.gx));
-    double error = CROSS_BOUND * (terms / Math.abs(divisor));
-    double low = t + (step - error);
-    boolean isCertain =
-        low == t + (step + error)
-            && low != T
-            && low > LEAST_SAFE
-            && Math.abs(divisor) > LEAST_SAFE
-            && t * terms < MOST_SAFE
-            && terms > LEAST_SAFE
-            && terms < MOST_SAFE;
-    if (isCertain) {
-      return low < T ? low : NEVER;
+    double quick = GapRoot.upTo(T, quickly(f, side));
+    if (!Double.isNaN(quick)) {
+      return quick;
     }
     double time = upTo(T, rise(f, side));
     return Double.isNaN(time)
         ? ExactParabola.ofGap(f.gaps(Polynomial.EXACT).height().signed(side).fromStart()).time(T)
         : time;
+  }
+
+  /** The same for ever, in double-double: the root of {@code w x (s + g t / 2)}; NaN in doubt. */
+  private static double quickly(Fall f, int side) {
+    double slope = 0.5 * (f.wx * f.gy - f.wy * f.gx);
+    double t = -(f.wx * f.sy - f.wy * f.sx) / slope;
+    double x = Offset.mean(f.vx, f.ux, f.gx, t);
+    double y = Offset.mean(f.vy, f.uy, f.gy, t);
+    double xl = Offset.meanTail(f.vx, f.ux, f.gx, t);
+    double yl = Offset.meanTail(f.vy, f.uy, f.gy, t);
+    double wxl = differenceTail(f.bx, f.ax, f.wx);
+    double wyl = differenceTail(f.by, f.ay, f.wy);
+    double rise = f.wx * y - f.wy * x;
+    double tail = crossTail(f.wx, wxl, f.wy, wyl, x, xl, y, yl, rise);
+    double terms =
+        Math.abs(f.wx) * Offset.size(f.sy, 0.5 * f.gy, 0, t)
+            + Math.abs(f.wy) * Offset.size(f.sx, 0.5 * f.gx, 0, t);
+    return GapRoot.nearest(t, side * (rise + tail), side * slope, Math.sqrt(terms));
   }
 
   /** The time up to T at which what rises from 0 is 0 again: half the scale of a linear root. */
