@@ -71,18 +71,24 @@ public final class DiskSweep {
     double s = Math.sqrt(a * rr - k * k);
     double t = (dd - rr) / (s - b);
     double half = 0.5 / s;
-    double lean = TimeOfImpact.firstLean(a, w, half);
-    PrecisionCounters.root();
     double c = residue(x1, y1, r1, vx1, vy1, x2, y2, r2, vx2, vy2, t) * half;
-    double time = TimeOfImpact.rounded(t, c, TimeOfImpact.stepError(w, a, half, lean, c), T);
+    double error = TimeOfImpact.stepError(w, a, half, TimeOfImpact.firstLean(a, w, half), c);
+    double time = TimeOfImpact.rounded(t, c, error);
+    PrecisionCounters.root();
     if (time < T) {
       return time;
     }
-    time =
-        time > T
-            ? Double.POSITIVE_INFINITY
-            : SphereSweep.refined(
-                x1, y1, 0, r1, vx1, vy1, 0, x2, y2, 0, r2, vx2, vy2, 0, T, t + c);
+    return time > T
+        ? Double.POSITIVE_INFINITY
+        : refined(x1, y1, r1, vx1, vy1, x2, y2, r2, vx2, vy2, T, t + c);
+  }
+
+  /** Refines the time t by more steps; exact numbers decide if no step can. */
+  private static double refined(
+      double x1, double y1, double r1, double vx1, double vy1, double x2, double y2, double r2,
+      double vx2, double vy2, double T, double t) {
+    double time =
+        SphereSweep.refined(x1, y1, 0, r1, vx1, vy1, 0, x2, y2, 0, r2, vx2, vy2, 0, T, t);
     return Double.isNaN(time)
         ? Exact.Disks.of(x1, y1, r1, vx1, vy1, x2, y2, r2, vx2, vy2).time().upTo(T)
         : time;

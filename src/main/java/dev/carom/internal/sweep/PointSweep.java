@@ -53,7 +53,7 @@ public final class PointSweep {
     double half = 0.5 / Math.sqrt(a * rr - k * k);
     double c = residue(px, py, r, vx, vy, x, y, t) * half;
     double error = TimeOfImpact.stepError(w, a, half, TimeOfImpact.firstLean(a, w, half), c);
-    return TimeOfImpact.rounded(t, c, error, NEVER);
+    return TimeOfImpact.rounded(t, c, error);
   }
 
   /** {@code e.e - r^2} at {@code e = d + v t}. Cancelling terms have head and tail. */

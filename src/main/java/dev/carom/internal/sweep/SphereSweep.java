@@ -114,8 +114,9 @@ public final class SphereSweep {
       double half = -0.5 / (b + a * t);
       double c = residue(x1, y1, z1, r1, vx1, vy1, vz1, x2, y2, z2, r2, vx2, vy2, vz2, t) * half;
       double lean = TimeOfImpact.lean(half, terms + a * t, t);
-      double time = TimeOfImpact.rounded(t, c, TimeOfImpact.stepError(w, a, half, lean, c), T);
-      if (time != T && !Double.isNaN(time)) {
+      double error = TimeOfImpact.stepError(w, a, half, lean, c);
+      double time = TimeOfImpact.rounded(t, c, error);
+      if (time < T || t + (c - error) > T) {
         return time < T ? time : NEVER;
       }
       t += c;

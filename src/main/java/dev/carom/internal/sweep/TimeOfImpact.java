@@ -147,15 +147,9 @@ public final class TimeOfImpact {
     return fma(size, turn, fma(fma(PLACE_BOUND, w, TINY), half, TINY));
   }
 
-  /**
-   * t + c to the nearest double, NaN if the error of c leaves that open; {@code +infinity} if it is
-   * certainly later than T.
-   */
-  static double rounded(double t, double c, double error, double T) {
+  /** t + c to the nearest double, NaN if the error of c leaves that open. */
+  static double rounded(double t, double c, double error) {
     double low = t + (c - error);
-    if (low > T) {
-      return Double.POSITIVE_INFINITY;
-    }
     // All values in between round alike, and this one is available earlier.
     return low == t + (c + error) ? t + c : Double.NaN;
   }
