@@ -2,8 +2,8 @@
 package dev.carom.internal.exact;
 
 /**
- * The highest precision for straight motions: the polynomials of a sweep in exact numbers. Slow
- * (some ten microseconds) and always right.
+ * The times and the normals of straight flights in exact numbers: the last rung, where double-double
+ * leaves a rounding open. Slow, some ten microseconds, and always right.
  */
 public final class Exact {
 

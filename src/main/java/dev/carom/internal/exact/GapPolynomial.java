@@ -6,13 +6,18 @@ import java.util.Arrays;
 import java.util.List;
 
 /**
- * A polynomial in time of degree 8 at most, on one of two rungs: with rounded coefficients and the
- * sums of the absolute values of their terms, or with coefficients without rounding.
+ * A polynomial in time, of degree 8 at most, whose signs and roots are certain.
  *
- * <p>The errors, with {@code u = 2^-53} and in units of the terms. A rounded coefficient has 14 u
- * at most: a difference of the input 1, a product 1 more than both factors, a sum 1. Of the gap of
- * a side, a height has 4, its square 11, and the other product 6; of an end beyond a line, an
- * offset has 3, its square 9. A coefficient without rounding has 4 u.
+ * <p>It has one of two forms. The coefficients of the first form are rounded doubles. Beside each
+ * stands its size: the sum of the absolute values of the terms that made it. The coefficients of
+ * the second form are sums of doubles without rounding. A sign is told only where the value exceeds
+ * a bound of its error; in the second form every tie is recognised, too.
+ *
+ * <p>The error of a rounded coefficient, in units of its size and of {@code u = 2^-53}: a
+ * difference of two numbers of the question has 1 u, a product 1 u more than its factors together,
+ * a sum 1 u more than its summands. In the gap of a side ({@link Gaps}) the height has 4 u, its
+ * square, of which a coefficient is a sum of three, 11 u, {@code r^2 w.w} has 6 u: 12 u in all. In
+ * that of an end an offset has 1 u, its square 5 u: 7 u in all. The bounds here take 14 u.
  *
  * <p>Not safe for use by several threads.
  */

@@ -2,11 +2,15 @@
 package dev.carom.internal.exact;
 
 /**
- * The gaps between a disk and an obstacle as polynomials in time, one for each Voronoi region of
- * the obstacle. A gap is the square of a distance less that of a radius, times a positive constant.
- * The disk touches the obstacle where the gap of the region of its centre is 0.
+ * The equations of a contact: the gap between a disk and an obstacle, as a polynomial in time.
  *
- * <p>The equations stand here once, for all rungs of precision.
+ * <p>A line w from a to b has three Voronoi regions: before its start a, beside it, and beyond its
+ * end b. A disk or a point has one. Each region has a gap of its own: the square of the distance
+ * less that of the radius, {@code d.d - r^2} at an end; {@code cross(w, d)^2 - r^2 w.w} beside the
+ * line, where the factor w.w spares a division. Here d is the offset of the moving centre from that
+ * end. The disk touches the obstacle when the gap of the region of its centre is 0.
+ *
+ * <p>The equations stand here once, for each kind of {@link Numbers}.
  */
 public final class Gaps<P extends Ring<P>> {
 

@@ -1,3 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
-/** Finds the first obstacle of a flight: static grid, broad phase and narrow phase. */
+/**
+ * What a flight hits first: the search among all obstacles, and its indexes. {@code FirstImpact}
+ * has the rules of ties, filters and sensors, {@code OneWay} that of one-way lines, {@code
+ * CellWalk} the walk of the grid. {@code searchAmongAll} of {@link
+ * dev.carom.internal.search.FlightSearch} tests the obstacles that move.
+ */
 package dev.carom.internal.search;

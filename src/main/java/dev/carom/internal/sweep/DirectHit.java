@@ -6,8 +6,9 @@ import static dev.carom.internal.exact.Fma.fma;
 import dev.carom.internal.exact.Gaps;
 
 /**
- * The first hit of a disk with a constant acceleration on a line, where a normal shows that none
- * comes before it. Nearly all questions of a search are answered here.
+ * The quick filter for a disk with a constant acceleration: the first hit on a line or a disk, in
+ * plain doubles. It finds a hit, and proves by the normal there that none comes before. Nearly all
+ * questions of a search are answered here; the others are left open.
  *
  * <p>A line is convex, so it lies behind the tangent at a contact, which is perpendicular to the
  * normal n. At a time s before the time t of the contact, the disk was in front of the tangent if

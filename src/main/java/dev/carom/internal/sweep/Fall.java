@@ -9,8 +9,8 @@ import dev.carom.internal.exact.Numbers;
 import dev.carom.internal.exact.Ring;
 
 /**
- * A disk with a constant acceleration, and an obstacle: a line from a to b, or a disk around a = b.
- * The obstacle moves with the velocity u.
+ * A question to the detector: a disk with a constant acceleration, which may be 0, and an obstacle.
+ * The obstacle is a line from a to b, or a disk around a = b. It moves with the velocity u.
  *
  * <p>The numbers are set for each question, by the methods below only, so that many are asked
  * without allocation. All is seen from the obstacle: {@code d = p - a} is the offset, {@code s = v

@@ -8,12 +8,15 @@ import static dev.carom.internal.exact.DoubleDouble.sumTail;
 import static dev.carom.internal.exact.Fma.fma;
 
 /**
- * The rounding of a time at which the gap f of a falling disk falls to 0, by its residue: the value
- * at a time near that, in which all that cancels is kept as head and tail.
+ * Rounds the time at which the gap f of a falling disk falls to 0. Newton's method corrects a time
+ * near the root by {@code f / f'}. There f is computed as the <i>residue</i>: in double-double,
+ * since nearly all of it cancels. The rounded time is certain if f has two signs halfway to its
+ * neighbouring doubles.
  *
- * <p>The sizes m0, m1, m2 bound f: with {@code A(t) = (m0 + m1 t + m2 t^2)^2}, the absolute values
- * of all terms of f, before anything cancels, add up to A at most. So do those of {@code t f' / 4}
- * and of {@code t^2 f'' / 12}. In the bounds {@code u = 2^-53}.
+ * <p>The error of f is bounded by the size of its terms. With sizes m0, m1, m2 of the place, the
+ * speed and half the acceleration, and {@code A(t) = (m0 + m1 t + m2 t^2)^2}, the absolute values of
+ * all terms of f add up to A at most, before anything cancels. So do those of {@code t f' / 4} and
+ * of {@code t^2 f'' / 12}. In the bounds {@code u = 2^-53}.
  */
 final class GapRoot {
 

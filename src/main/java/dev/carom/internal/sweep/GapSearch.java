@@ -9,18 +9,25 @@ import dev.carom.internal.exact.Gaps;
 import java.util.Arrays;
 
 /**
- * The certified search: when does a disk come into contact with an obstacle, by the gaps in the
- * regions of the obstacle?
+ * The certified search for the time at which a disk comes into contact with an obstacle. A contact
+ * is the first time from which on the gap falls and is not above 0, in the region of {@link Gaps}
+ * in which the centre is.
  *
- * <p>It looks at intervals of time. In each it asks in which regions the centre may be, and of each
- * of these for one sign of the gap and for one sign of its rate. A region is open where the gap may
- * be 0 or less and may fall. No region open: no contact. If the gaps fall in all regions in which
- * the centre may be, their signs at both ends tell. If one rate changes its sign once, the sign of
- * the gap at this turn tells. An interval in which the centre comes to another region is cut there,
- * and all else is halved. After an interval without contact the next one is twice as long.
+ * <p>The search looks at one interval of time after the other. In an interval it finds the regions
+ * in which the centre may be. A region is <i>open</i> if its gap may be 0 or less there, and may
+ * fall.
  *
- * <p>With rounded coefficients a search answers most questions, and hands the rounding of a time to
- * a gap without rounding.
+ * <ul>
+ *   <li>No region is open: there is no contact. The next interval is twice as long.
+ *   <li>The centre passes to another region: the interval is cut there.
+ *   <li>The gap of the open region has one root, at which it falls: that is the contact.
+ *   <li>The gap falls throughout: its signs at both ends of the interval tell.
+ *   <li>The rate of the gap has one root: the sign of the gap at this turn tells.
+ *   <li>Otherwise the interval is halved.
+ * </ul>
+ *
+ * <p>The first search of a question has rounded coefficients, and answers most. A second one has
+ * coefficients without rounding, and decides ties.
  */
 final class GapSearch {
 
