@@ -230,7 +230,7 @@ public final class Scene {
    * @throws IndexOutOfBoundsException if there is no such circle
    */
   public double mass(int i) {
-    return data.mass(at(ObstacleKind.CIRCLE, i));
+    return data.registry.mass(at(ObstacleKind.CIRCLE, i));
   }
 
   /**
@@ -352,7 +352,7 @@ public final class Scene {
   private long filter(ObstacleKind kind, int i) {
     at(kind, i);
     return kind == ObstacleKind.CIRCLE
-        ? data.filter(i)
+        ? data.registry.filter(i)
         : data.obstacles.filter(Codes.of(kind.ordinal(), i));
   }
 
@@ -430,7 +430,7 @@ public final class Scene {
   /** Returns the {@link ContactFlags} of a thing that exists. */
   private int traits(ObstacleKind kind, int i) {
     return kind == ObstacleKind.CIRCLE
-        ? data.traits(i)
+        ? data.registry.traits(i)
         : data.obstacles.traits(Codes.of(kind.ordinal(), i));
   }
 

@@ -26,11 +26,7 @@ final class FieldStream {
   }
 
   double number(double given) throws IOException {
-    if (in != null) {
-      return in.readDouble();
-    }
-    out.writeDouble(given);
-    return given;
+    return Double.longBitsToDouble(bits(Double.doubleToLongBits(given)));
   }
 
   int integer(int given) throws IOException {

@@ -46,8 +46,8 @@ final class SceneWriter {
     for (int i = 0; i < scene.circleCount(); i++) {
       begin("circle");
       numbers(scene.x(i), scene.y(i), scene.radius(i), scene.vx(i), scene.vy(i));
-      mass(scene.mass(i));
-      end(scene.restitution(i), scene.traits(i), scene.filter(i));
+      mass(scene.registry.mass(i));
+      end(scene.restitution(i), scene.registry.traits(i), scene.registry.filter(i));
     }
   }
 

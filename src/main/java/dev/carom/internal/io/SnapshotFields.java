@@ -17,7 +17,6 @@ import dev.carom.internal.util.Kind;
 import java.io.IOException;
 import java.util.ArrayList;
 import java.util.List;
-import java.util.stream.LongStream;
 
 /**
  * The fields of a snapshot in their order: the one list that both the writer and the reader follow.
@@ -111,10 +110,7 @@ final class SnapshotFields {
         obstacles.setTraits(code, traits);
       }
     }
-    long[] filters = filters(given.filters(), count);
-    for (int i = 0; filters != null && i < count; i++) {
-      obstacles.setFilter(given.first() + i, filters[i]);
-    }
+    filters(given.filters(), count, (i, filter) -> obstacles.setFilter(given.first() + i, filter));
   }
 
   private ObstacleMotions motions(ObstacleMotions given, int most) throws IOException {
@@ -134,10 +130,7 @@ final class SnapshotFields {
       circles.setTraits(i, f.octet(isGiven ? given.traits(i) : 0));
       circles.setMass(i, f.number(isGiven ? given.mass(i) : 0));
     }
-    long[] filters = filters(given.filters(), count);
-    for (int i = 0; filters != null && i < count; i++) {
-      circles.setFilter(i, filters[i]);
-    }
+    filters(given.filters(), count, circles::setFilter);
     return circles;
   }
 
@@ -166,15 +159,17 @@ final class SnapshotFields {
     return jams.toArray(IgnoreList[]::new);
   }
 
-  /** The filters of all things of a kind, or only that each is the default. */
-  private long[] filters(long[] given, int count) throws IOException {
-    if (!f.flag(given != null)) {
-      return null;
+  /** Sets the filters of a kind of things, or takes only that each is the default. */
+  private void filters(long[] given, int count, FilterSetter setter) throws IOException {
+    if (f.flag(given != null)) {
+      for (int i = 0; i < count; i++) {
+        setter.set(i, f.bits(given == null ? 0 : given[i]));
+      }
     }
-    LongStream.Builder filters = LongStream.builder();
-    for (int i = 0; i < count; i++) {
-      filters.add(f.bits(given == null ? 0 : given[i]));
-    }
-    return filters.build().toArray();
+  }
+
+  /** Sets the filter of a thing, by its number within its kind. */
+  private interface FilterSetter {
+    void set(int i, long filter);
   }
 }

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 package dev.carom.internal.query;
 
-import dev.carom.internal.exact.ExactTime;
 import dev.carom.internal.exact.RealRoot;
 import dev.carom.internal.state.CircleTable;
 import dev.carom.internal.state.MovingCircle;
@@ -74,16 +73,11 @@ final class CastTarget {
     return contact;
   }
 
-  /** The exact time of a contact, if this circle does not fall. */
-  ExactTime exactTime(MovingCircle m, int itsContact) {
-    return FallSweep.exactTime(fall(m), itsContact);
-  }
-
-  /** The exact time of a contact, also if this circle falls. */
-  RealRoot root(MovingCircle m, int itsContact) {
+  /** The exact time of a contact. */
+  RealRoot exactTime(MovingCircle m, int itsContact) {
     return isFalling()
         ? FallSweep.exact(fall(m)).first(NEVER)
-        : RealRoot.of(exactTime(m, itsContact));
+        : RealRoot.of(FallSweep.exactTime(fall(m), itsContact));
   }
 
   /**

@@ -109,30 +109,18 @@ final class FirstCircle implements BoxTree.First {
 
   /** Whether a contact is before the limit, with which its rounded time is equal. */
   private boolean isFirst(int slot) {
-    int order = order();
+    int order = target.exactTime(m, target.contact()).compare(exactLimit());
     return order != 0 ? order < 0 : m.next == MovingCircle.NOTHING || Codes.circle(slot) < m.next;
   }
 
-  /** The sign of the exact time of the contact less that of the limit. */
-  private int order() {
-    boolean isOfCircle = m.next != MovingCircle.NOTHING && Codes.isCircle(m.next);
-    if (isOfCircle) {
-      found.load(circles, Codes.slot(m.next), now);
+  /** The exact time of the first contact so far, or of the end of the cast. */
+  private RealRoot exactLimit() {
+    if (m.next == MovingCircle.NOTHING) {
+      return RealRoot.of(ExactTime.of(maxTime));
     }
-    if (isOfCircle && (target.isFalling() || found.isFalling())) {
-      return root().compare(found.root(m, m.contact));
-    }
-    ExactTime limit =
-        m.next == MovingCircle.NOTHING
-            ? ExactTime.of(maxTime)
-            : isOfCircle ? found.exactTime(m, m.contact) : tracer.exactTime(m);
-    return target.isFalling()
-        ? root().compare(RealRoot.of(limit))
-        : target.exactTime(m, target.contact()).compare(limit);
-  }
-
-  private RealRoot root() {
-    return target.root(m, target.contact());
+    return Codes.isCircle(m.next)
+        ? found.load(circles, Codes.slot(m.next), now).exactTime(m, m.contact)
+        : RealRoot.of(tracer.exactTime(m));
   }
 
   Hit hit(MovingCircle cast, double present) {

@@ -4,7 +4,6 @@ package dev.carom.internal.query;
 import dev.carom.internal.exact.Predicates;
 import dev.carom.internal.search.BoxTree;
 import dev.carom.internal.state.Codes;
-import dev.carom.internal.state.ContactFlags;
 import dev.carom.internal.state.Filter;
 import dev.carom.internal.state.ObstacleRows;
 import dev.carom.internal.state.ObstacleTable;
@@ -118,7 +117,7 @@ public final class Warnings {
   }
 
   private void lookAtWalls(int i) {
-    if (obstacles.wallsFor(scene.filter(i)) == null) {
+    if (obstacles.wallsFor(scene.registry.filter(i)) == null) {
       return;
     }
     for (int wall = 0; Codes.isWall(wall); wall++) {
@@ -135,7 +134,7 @@ public final class Warnings {
     int k = rows.offset(code);
     double[] values = rows.values;
     for (int i : near(tree, sides -> rows.shape.overlaps(values, k, sides))) {
-      if (Filter.meet(obstacles.filter(code), scene.filter(i))
+      if (Filter.meet(obstacles.filter(code), scene.registry.filter(i))
           && disk(i).overlaps(obstacles, code, 0)
           && !(obstacles.isOneWay(code) && isPassed(values, k, i))) {
         keep(i, code);
@@ -153,7 +152,7 @@ public final class Warnings {
   }
 
   private void lookAtCircle(int j, BoxTree tree) {
-    if (isSensor(j)) {
+    if (scene.registry.isSensor(j)) {
       return;
     }
     double x = scene.x(j);
@@ -166,15 +165,11 @@ public final class Warnings {
     }
   }
 
-  private boolean isSensor(int i) {
-    return ContactFlags.isSensor(scene.traits(i));
-  }
-
   /** Whether two circles pass through each other. */
   private boolean passes(int i, int j) {
-    return isSensor(i)
-        || !Filter.meet(scene.filter(i), scene.filter(j))
-        || Math.min(scene.mass(i), scene.mass(j)) == Double.POSITIVE_INFINITY;
+    return scene.registry.isSensor(i)
+        || !scene.registry.meet(i, j)
+        || Math.min(scene.registry.mass(i), scene.registry.mass(j)) == Double.POSITIVE_INFINITY;
   }
 
   /** The warning about a circle and a thing that it overlaps. */

@@ -137,7 +137,7 @@ public final class CircleTable extends FlightTable {
   public void start(SceneData scene, int i) {
     body.start(
         i, scene.x(i), scene.y(i), scene.radius(i), scene.vx(i), scene.vy(i), scene.restitution(i));
-    body.filter = scene.filter(i);
+    body.filter = scene.registry.filter(i);
   }
 
   public double x(int i, double now) {

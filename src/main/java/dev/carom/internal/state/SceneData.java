@@ -22,8 +22,8 @@ public final class SceneData {
 
   public final double[] circles;
 
-  /** Shared by all users of the scene, so never changed. */
-  final CircleRegistry registry;
+  /** The circles without their motion. Shared by all users of the scene, so never changed. */
+  public final CircleRegistry registry;
 
   /** Shared by all users of the scene, so never changed. */
   public final ObstacleTable obstacles;
@@ -73,20 +73,6 @@ public final class SceneData {
 
   public double restitution(int circle) {
     return circles[circle * CIRCLE_ROW + RESTITUTION];
-  }
-
-  public double mass(int circle) {
-    return registry.mass(circle);
-  }
-
-  /** The {@link ContactFlags} of a circle. */
-  public int traits(int circle) {
-    return registry.traits(circle);
-  }
-
-  /** The {@link Filter} of a circle. */
-  public long filter(int circle) {
-    return registry.filter(circle);
   }
 
   @Override
