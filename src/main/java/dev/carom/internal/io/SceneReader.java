@@ -9,6 +9,8 @@ import dev.carom.internal.util.Refusal;
 import java.io.BufferedReader;
 import java.io.IOException;
 import java.io.Reader;
+import java.util.EnumMap;
+import java.util.Map;
 
 /** Reads the rows of a scene file into a builder. */
 final class SceneReader {
@@ -28,9 +30,9 @@ final class SceneReader {
   private double vx;
 
   private double vy;
-  private int wallLine;
-  private int collideLine;
-  private int gravityLine;
+
+  /** The line of the row of each kind of which there may be only one. */
+  private final Map<SceneRowKind, Integer> singles = new EnumMap<>(SceneRowKind.class);
 
   SceneData read(Reader in) throws IOException {
     BufferedReader lines = new BufferedReader(in);
@@ -65,7 +67,7 @@ final class SceneReader {
   }
 
   private void wall(SceneRow row) throws RowException {
-    wallLine = only(row, wallLine);
+    only(row);
     builder.bounds(row.number(1), row.number(2), row.number(3), row.number(4));
   }
 
@@ -92,25 +94,22 @@ final class SceneReader {
   }
 
   private void collide(SceneRow row) throws RowException {
-    collideLine = only(row, collideLine);
+    only(row);
     builder.collide = flag(row, 1, "collide", row.field(1));
   }
 
   private void gravity(SceneRow row) throws RowException {
-    gravityLine = only(row, gravityLine);
+    only(row);
     builder.gravity(row.number(1), row.number(2));
   }
 
-  /**
-   * Refuses a second row of a kind. {@code first} is the line of the earlier one, 0 if there is
-   * none.
-   */
-  private static int only(SceneRow row, int first) throws RowException {
-    if (first > 0) {
+  /** Refuses a second row of a kind. */
+  private void only(SceneRow row) throws RowException {
+    Integer first = singles.putIfAbsent(row.kind(), row.line());
+    if (first != null) {
       throw row.error(
           0, "a second " + row.field(0) + " row, after line " + first + ": expected one only");
     }
-    return row.line();
   }
 
   private void options(SceneRow row) throws RowException {

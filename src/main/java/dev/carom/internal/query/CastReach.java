@@ -61,21 +61,18 @@ final class CastReach {
     int k = node * BoxTree.BOX;
     double[] p = places;
     double[] v = velocities;
-    double[] a = accelerations;
     from = 0;
     until = Double.MAX_VALUE;
-    if (a == null) {
-      close(p[k + BoxTree.LEFT] - right, vx - v[k + BoxTree.LEFT]);
-      close(left - p[k + BoxTree.RIGHT], v[k + BoxTree.RIGHT] - vx);
-      close(p[k + BoxTree.BOTTOM] - top, vy - v[k + BoxTree.BOTTOM]);
-      close(bottom - p[k + BoxTree.TOP], v[k + BoxTree.TOP] - vy);
-      return from > until ? NEVER : from;
-    }
-    close(p[k + BoxTree.LEFT] - right, vx - v[k + BoxTree.LEFT], -a[k + BoxTree.LEFT]);
-    close(left - p[k + BoxTree.RIGHT], v[k + BoxTree.RIGHT] - vx, a[k + BoxTree.RIGHT]);
-    close(p[k + BoxTree.BOTTOM] - top, vy - v[k + BoxTree.BOTTOM], -a[k + BoxTree.BOTTOM]);
-    close(bottom - p[k + BoxTree.TOP], v[k + BoxTree.TOP] - vy, a[k + BoxTree.TOP]);
+    close(p[k + BoxTree.LEFT] - right, vx - v[k + BoxTree.LEFT], -a(k + BoxTree.LEFT));
+    close(left - p[k + BoxTree.RIGHT], v[k + BoxTree.RIGHT] - vx, a(k + BoxTree.RIGHT));
+    close(p[k + BoxTree.BOTTOM] - top, vy - v[k + BoxTree.BOTTOM], -a(k + BoxTree.BOTTOM));
+    close(bottom - p[k + BoxTree.TOP], v[k + BoxTree.TOP] - vy, a(k + BoxTree.TOP));
     return from > until ? NEVER : from;
+  }
+
+  /** A side of the box of accelerations. */
+  private double a(int k) {
+    return accelerations == null ? 0 : accelerations[k];
   }
 
   /** The same for one circle. */
@@ -107,6 +104,10 @@ final class CastReach {
    * {@code 2 gap / (u +- root)}. Where that overflows, underflows or cancels, it proves nothing.
    */
   private void close(double gap, double u, double a) {
+    if (a == 0) {
+      close(gap, u);
+      return;
+    }
     double square = u * u + 2 * a * gap;
     if (gap > 0 && u <= 0 && a <= 0) {
       until = -1; // never

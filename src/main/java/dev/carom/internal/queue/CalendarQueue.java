@@ -387,13 +387,21 @@ public final class CalendarQueue {
     }
     current = Math.max(current, end - span - 1);
     end += span;
-    int chunk = lists.drain(following);
+    insertCurrent(lists.drain(following));
+  }
+
+  /** Inserts the events of a list's entries that are not stale. */
+  private void insertCurrent(int first) {
+    int chunk = first;
     while (chunk != OverflowLists.NONE) {
       if (prefetcher != null) {
         read(chunk);
       }
       for (int k = lists.start(chunk); k < chunk; k++) {
-        insertIfCurrent(lists.id(k), lists.time(k));
+        if (isCurrent(lists.id(k), lists.time(k))) {
+          ring.mark(lists.id(k), NONE);
+          insert(lists.id(k), lists.time(k));
+        }
       }
       chunk = lists.release(chunk);
     }
@@ -410,14 +418,6 @@ public final class CalendarQueue {
       sum += times[i] + ring.next(i);
     }
     read += sum;
-  }
-
-  /** Inserts the event of an entry, unless the entry is stale. */
-  private void insertIfCurrent(int i, double time) {
-    if (isCurrent(i, time)) {
-      ring.mark(i, NONE);
-      insert(i, time);
-    }
   }
 
   /**
@@ -485,12 +485,7 @@ public final class CalendarQueue {
       current = -1;
       end = 2 * span;
     }
-    while (waiting != OverflowLists.NONE) {
-      for (int k = lists.start(waiting); k < waiting; k++) {
-        insertIfCurrent(lists.id(k), lists.time(k));
-      }
-      waiting = lists.release(waiting);
-    }
+    insertCurrent(waiting);
     return earliest < NEVER;
   }
 

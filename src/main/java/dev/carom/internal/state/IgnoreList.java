@@ -46,21 +46,16 @@ public final class IgnoreList {
     return false;
   }
 
-  /** Adds a code to a list, which may be null. */
-  public static IgnoreList with(IgnoreList jam, int code) {
-    return withEntry(jam, code);
-  }
-
   /**
    * Adds a moving obstacle or an infinite mass that crushed the circle. The circle ignores it while
    * it passes over the circle.
    */
   public static IgnoreList crushedBy(IgnoreList jam, int code) {
-    return withEntry(jam, ~code);
+    return with(jam, ~code);
   }
 
-  /** Adds an entry to a list, which may be null. */
-  private static IgnoreList withEntry(IgnoreList jam, int entry) {
+  /** Adds an entry, such as a code, to a list, which may be null. */
+  public static IgnoreList with(IgnoreList jam, int entry) {
     if (jam != null && jam.contains(entry)) {
       return jam;
     }
