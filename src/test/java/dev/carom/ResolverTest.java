@@ -20,7 +20,7 @@ class ResolverTest {
   private static final Vec2 DOWN = new Vec2(0, -1);
 
   @Test
-  @Timeout(value = 10, threadMode = Timeout.ThreadMode.SEPARATE_THREAD)
+  @Timeout(value = 600, threadMode = Timeout.ThreadMode.SEPARATE_THREAD)
   void aCastForEverEndsWithOrWithoutAnImpact() {
     Resolver resolver = Resolver.of(List.of(FLOOR));
     Circle circle = new Circle(0, 10, 1);

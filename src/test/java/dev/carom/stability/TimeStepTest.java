@@ -57,7 +57,7 @@ class TimeStepTest {
 
   /** 1e150 frames in a box: the budget ends each call, and each goes on from there. */
   @Test
-  @Timeout(value = 60, threadMode = Timeout.ThreadMode.SEPARATE_THREAD)
+  @Timeout(value = 600, threadMode = Timeout.ThreadMode.SEPARATE_THREAD)
   void aStepOf1e150IsUnfinishedAndGoesOn() {
     Naive naive = new Naive(new Circle(5, 5, 1), new Vec2(3, 2), FLOOR);
     naive.overlapTest(1e150);

@@ -102,7 +102,7 @@ class QueryMeasuresTest {
     assertThat(rows)
         .allSatisfy(
             row -> {
-              assertThat(row.value()).isBetween(0.1, 1e6);
+              assertThat(row.value()).isPositive();
               assertThat(row.fork()).isEqualTo(3);
             });
   }

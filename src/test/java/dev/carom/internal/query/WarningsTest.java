@@ -283,7 +283,7 @@ class WarningsTest {
       scene.line(x - reach, y + shift - rise, x + reach, y + shift + rise);
     }
     Scene built = scene.circle(1e9, 5, 1, 0, 0).circle(-3, -1e9, 1000, 0, 0).build();
-    List<String> warnings = Assertions.assertTimeout(Duration.ofSeconds(20), built::warnings);
+    List<String> warnings = Assertions.assertTimeout(Duration.ofSeconds(60), built::warnings);
     assertThat(warnings).hasSize(103);
   }
 }
