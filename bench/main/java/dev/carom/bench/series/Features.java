@@ -41,6 +41,11 @@ public final class Features {
   private static final String METHOD = "carom";
   private static final int FRAMES = 600;
   private static final int WORLDS = 64;
+
+  /** Of thousands of lines: each such world alone is large beside what else is on the heap. */
+  private static final int LARGE_WORLDS = 8;
+
+  private static final int MANY_LINES = 1000;
   private static final int RECORDED = 1_000_000;
   private static final int FEW_LINES = 8;
   private static final double GRAVITY = -0.05;
@@ -78,6 +83,11 @@ public final class Features {
 
     Use(String name, Scene scene, Keep keep, Action action) {
       this(name, scene, FRAMES, keep, action);
+    }
+
+    /** How many worlds tell the memory of one. */
+    int worlds() {
+      return scene.lineCount() > MANY_LINES ? LARGE_WORLDS : WORLDS;
     }
 
     /** Returns what holds the world at the end, and all that is kept of it. */
@@ -199,7 +209,7 @@ public final class Features {
     if (memory) {
       uses.stream()
           .filter(use -> use.frames == FRAMES)
-          .forEach(use -> rows.add(row(use, MEMORY, "mean", bytes(use), "bytes", WORLDS)));
+          .forEach(use -> rows.add(row(use, MEMORY, "mean", bytes(use), "bytes", use.worlds())));
     }
     Turns.warmUp(warmUpMillis, () -> uses.forEach(use -> use.play(new int[1])));
     turns.rounds(rounds, uses, Features::timed).forEach((use, times) -> add(rows, use, times));
@@ -252,12 +262,12 @@ public final class Features {
   private static double bytes(Use use) {
     use.play(new int[1]);
     long before = Footprint.used();
-    Object[] worlds = new Object[WORLDS];
-    for (int i = 0; i < WORLDS; i++) {
+    Object[] worlds = new Object[use.worlds()];
+    for (int i = 0; i < worlds.length; i++) {
       worlds[i] = use.play(new int[1]);
     }
     try {
-      return Math.max(0, (double) (Footprint.used() - before) / WORLDS);
+      return Math.max(0, (double) (Footprint.used() - before) / worlds.length);
     } finally {
       Reference.reachabilityFence(worlds);
     }
