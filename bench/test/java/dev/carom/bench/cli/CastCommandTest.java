@@ -109,7 +109,7 @@ class CastCommandTest {
     String queries = LINE + "\n0,0,0,10,-15,4,5,20,0,1\n";
     System.setIn(new ByteArrayInputStream(queries.getBytes(StandardCharsets.UTF_8)));
     try {
-      assertThat(Cli.run("cast", "-").out()).contains("1,SIDE,0.5,-1.0,0.0");
+      assertThat(Cli.run("cast -").out()).contains("1,SIDE,0.5,-1.0,0.0");
     } finally {
       System.setIn(before);
     }

@@ -17,7 +17,7 @@ class FeaturesCommandTest {
   @Test
   void whatIsUsedCostsTimeAndMemory(@TempDir Path folder) throws IOException {
     Path csv = folder.resolve("features.csv");
-    Cli run = Cli.run("features", "--rounds", 1, "--warm-up", 0, "--csv", csv);
+    Cli run = Cli.run("features --rounds 1 --warm-up 0 --csv", csv);
 
     assertThat(run.exitCode()).isZero();
     assertThat(run.out())
@@ -62,7 +62,7 @@ class FeaturesCommandTest {
   @Test
   void aHeapComesToRestAndBallsAmongPegsFall(@TempDir Path folder) throws IOException {
     Path csv = folder.resolve("heaps.csv");
-    Cli run = Cli.run("features", "--rounds", 1, "--warm-up", 0, "--heaps", 29, "--csv", csv);
+    Cli run = Cli.run("features --rounds 1 --warm-up 0 --heaps 29 --csv", csv);
 
     assertThat(run.exitCode()).isZero();
     assertThat(run.out())
@@ -77,13 +77,11 @@ class FeaturesCommandTest {
 
   @Test
   void aHeapOfTooFewIsRefused() {
-    assertThat(Cli.run("features", "--heaps", 9).err())
-        .contains("--heaps is 9: expected at least 10");
+    assertThat(Cli.run("features --heaps 9").err()).contains("--heaps is 9: expected at least 10");
   }
 
   @Test
   void noRoundsAreRefused() {
-    assertThat(Cli.run("features", "--rounds", 0).err())
-        .contains("--rounds is 0: expected at least 1");
+    assertThat(Cli.run("features --rounds 0").err()).contains("--rounds is 0: expected at least 1");
   }
 }

@@ -9,19 +9,19 @@ class FuzzCommandTest {
 
   @Test
   void tellsWhatItPlayed() {
-    Cli run = Cli.run("fuzz", "--sessions", 3, "--seed", 10);
+    Cli run = Cli.run("fuzz --sessions 3 --seed 10");
 
     assertThat(run.exitCode()).isZero();
     assertThat(run.out())
         .matches(
             "no finding in 3 worlds: [\\d,]+ steps, [\\d,]+ impacts, [\\d,]+ flights"
                 + " \\([\\d,]+ circles jammed\\)\\R");
-    assertThat(Cli.run("fuzz", "--sessions", 3, "--seed", 10).out()).isEqualTo(run.out());
+    assertThat(Cli.run("fuzz --sessions 3 --seed 10").out()).isEqualTo(run.out());
   }
 
   @Test
   void tellsWhatItAsked() {
-    Cli run = Cli.run("fuzz", "--queries", 1_000);
+    Cli run = Cli.run("fuzz --queries", 1_000);
 
     assertThat(run.exitCode()).isZero();
     assertThat(run.out())
@@ -30,7 +30,7 @@ class FuzzCommandTest {
 
   @Test
   void aLongRunTellsWhatMustNotHappenAndWhatMustStay() {
-    Cli run = Cli.run("fuzz", "--impacts", 100_000, "--gas", "--circles", 60, "--seed", 2);
+    Cli run = Cli.run("fuzz --impacts", 100_000, "--gas", "--circles", 60, "--seed", 2);
 
     assertThat(run.exitCode()).isZero();
     assertThat(run.out().lines())
@@ -55,15 +55,15 @@ class FuzzCommandTest {
 
   @Test
   void stopsInTime() {
-    assertThat(Cli.run("fuzz", "--seconds", 1).out()).startsWith("no finding in ");
+    assertThat(Cli.run("fuzz --seconds 1").out()).startsWith("no finding in ");
   }
 
   @Test
   void refusesWhatIsNoFuzz() {
-    assertThat(Cli.run("fuzz", "--seconds", 0).err()).contains("--seconds is 0: expected at least");
-    assertThat(Cli.run("fuzz", "--queries", 0).err()).contains("--queries is 0: expected at least");
-    assertThat(Cli.run("fuzz", "--sessions", 0).exitCode()).isEqualTo(2);
-    assertThat(Cli.run("fuzz", "--impacts", 100_000, "--scene", "heap", "--gas").err())
+    assertThat(Cli.run("fuzz --seconds 0").err()).contains("--seconds is 0: expected at least");
+    assertThat(Cli.run("fuzz --queries 0").err()).contains("--queries is 0: expected at least");
+    assertThat(Cli.run("fuzz --sessions 0").exitCode()).isEqualTo(2);
+    assertThat(Cli.run("fuzz --impacts", 100_000, "--scene", "heap", "--gas").err())
         .contains("--scene and --gas exclude each other");
   }
 }

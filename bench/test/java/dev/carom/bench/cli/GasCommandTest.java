@@ -17,8 +17,7 @@ class GasCommandTest {
   @Test
   void tellsSpeedAndEnergy(@TempDir Path folder) throws IOException {
     Path csv = folder.resolve("gas.csv");
-    Cli run =
-        Cli.run("gas", "--circles", 50, "--frames", 20, "--replays", 2, "--heavy", "--csv", csv);
+    Cli run = Cli.run("gas --circles 50 --frames 20 --replays 2 --heavy --csv", csv);
 
     assertThat(ResultsCsv.read(csv))
         .filteredOn(row -> row.metric().equals("gas_time"))
@@ -46,12 +45,12 @@ class GasCommandTest {
 
   @Test
   void shorterFramesHaveFewerImpacts() {
-    long whole = impacts(Cli.run("gas", "--frames", 20, "--replays", 1));
-    Cli shorter = Cli.run("gas", "--frames", 20, "--replays", 1, "--frame-time", 0.25);
+    long whole = impacts(Cli.run("gas --frames 20 --replays 1"));
+    Cli shorter = Cli.run("gas --frames 20 --replays 1 --frame-time 0.25");
 
     assertThat(shorter.out()).contains("20 frames of 0.25,");
     assertThat((double) impacts(shorter) / whole).isBetween(0.2, 0.3);
-    Cli refused = Cli.run("gas", "--frame-time", 0);
+    Cli refused = Cli.run("gas --frame-time 0");
     assertThat(refused.exitCode()).isEqualTo(2);
     assertThat(refused.err()).contains("--frame-time is 0.0: expected").hasLineCount(1);
   }
@@ -64,7 +63,7 @@ class GasCommandTest {
 
   @Test
   void tellsTheSpeedOfTheSteadyState() {
-    Cli run = Cli.run("gas", "--circles", 50, "--replays", 2, "--steady", 1000);
+    Cli run = Cli.run("gas --circles 50 --replays 2 --steady 1000");
 
     assertThat(run.exitCode()).isZero();
     assertThat(run.out().lines())
@@ -81,29 +80,17 @@ class GasCommandTest {
                         "speed    [\\d,]+ collisions per second,"
                             + " [\\d,.]+ ns per collision \\([\\d,.]+ \\.\\. [\\d,.]+\\)"),
             line -> assertThat(line).isEqualTo("bytes    0 allocated in the last round"));
-    assertThat(Cli.run("gas", "--steady", 0).exitCode()).isEqualTo(2);
+    assertThat(Cli.run("gas --steady 0").exitCode()).isEqualTo(2);
   }
 
   @Test
   void mixesSizes() {
-    Cli run =
-        Cli.run(
-            "gas",
-            "--mixed",
-            "--spread",
-            50,
-            "--circles",
-            80,
-            "--frames",
-            9,
-            "--replays",
-            1,
-            "--heavy");
+    Cli run = Cli.run("gas --mixed --spread 50 --circles 80 --frames 9 --replays 1 --heavy");
 
     assertThat(run.exitCode()).isZero();
     assertThat(run.out().lines().findFirst())
         .contains("gas      --seed 1 --circles 80 --packing 0.2 --spread 50 --mixed --heavy");
-    Cli usage = Cli.run("gas", "--mixed", "--packing", 0.5);
+    Cli usage = Cli.run("gas --mixed --packing 0.5");
     assertThat(usage.exitCode()).isEqualTo(2);
     assertThat(usage.err()).contains("packing is 0.5: expected").hasLineCount(1);
   }
@@ -111,19 +98,19 @@ class GasCommandTest {
   @Test
   void savesTheSceneForOthers(@TempDir Path folder) throws IOException {
     Path file = folder.resolve("gas.csv");
-    Cli.run("gas", "--circles", 9, "--frames", 1, "--replays", 1, "--save", file);
+    Cli.run("gas --circles 9 --frames 1 --replays 1 --save", file);
 
     assertThat(Scene.read(file).collide()).isTrue();
     assertThat(Scene.read(file).circleCount()).isEqualTo(9);
-    assertThat(Cli.run("simulate", "--scene", file, "--frames", 1).exitCode()).isZero();
+    assertThat(Cli.run("simulate --scene", file, "--frames", 1).exitCode()).isZero();
   }
 
   @Test
   void refusesWhatIsNoGas() {
-    Cli usage = Cli.run("gas", "--packing", 2);
+    Cli usage = Cli.run("gas --packing 2");
     assertThat(usage.exitCode()).isEqualTo(2);
     assertThat(usage.err()).contains("packing is 2.0: expected").hasLineCount(1);
-    Cli room = Cli.run("gas", "--packing", 0.9);
+    Cli room = Cli.run("gas --packing 0.9");
     assertThat(room.exitCode()).isEqualTo(1);
     assertThat(room.err()).contains("no room for circle 1 of 1000").hasLineCount(1);
   }

@@ -18,7 +18,7 @@ class ReferenceCommandTest {
 
   @Test
   void tellsWhatItTook() {
-    Cli run = Cli.run("reference", "base-1", "radii", "--frames", 5);
+    Cli run = Cli.run("reference base-1 radii --frames 5");
 
     assertThat(run.exitCode()).isZero();
     List<String> rows = run.out().lines().toList();
@@ -31,7 +31,7 @@ class ReferenceCommandTest {
   void writesFiles(@TempDir Path folder) {
     Path target = folder.resolve("references");
 
-    Cli run = Cli.run("reference", "base-1", "--frames", 5, "--write", target);
+    Cli run = Cli.run("reference base-1 --frames 5 --write", target);
 
     assertThat(run.exitCode()).isZero();
     assertThat(target.resolve("base-1.flights")).isNotEmptyFile();
@@ -39,7 +39,7 @@ class ReferenceCommandTest {
 
   @Test
   void goesBack() {
-    Cli run = Cli.run("reference", "base-1", "--frames", 5, "--back");
+    Cli run = Cli.run("reference base-1 --frames 5 --back");
 
     assertThat(run.exitCode()).isZero();
     assertThat(run.out()).containsPattern("base-1 .* 100 of 100");
@@ -47,7 +47,7 @@ class ReferenceCommandTest {
 
   @Test
   void namesTheScenesItKnows() {
-    Cli run = Cli.run("reference", "base-9");
+    Cli run = Cli.run("reference base-9");
 
     assertThat(run.exitCode()).isEqualTo(2);
     assertThat(run.err()).contains("SCENE is base-9: expected one of [base-1");
@@ -55,7 +55,7 @@ class ReferenceCommandTest {
 
   @Test
   void storesNothingOnTheWayBack(@TempDir Path folder) {
-    Cli run = Cli.run("reference", "base-1", "--back", "--write", folder);
+    Cli run = Cli.run("reference base-1 --back --write", folder);
 
     assertThat(run.exitCode()).isEqualTo(2);
     assertThat(run.err()).contains("--back and --write exclude each other");
@@ -77,7 +77,7 @@ class ReferenceCommandTest {
     Path file = folder.resolve("photon.csv");
     Photon.scene().write(file);
 
-    Cli run = Cli.run("reference", "--scene", file, "--frames", 300, "--digits", 110);
+    Cli run = Cli.run("reference --scene", file, "--frames", 300, "--digits", 110);
 
     assertThat(run.exitCode()).as(run.err()).isZero();
     List<String> rows = run.out().lines().toList();
@@ -96,15 +96,15 @@ class ReferenceCommandTest {
   void playsOneSceneOrOthers(@TempDir Path folder) throws IOException {
     Path file = Files.writeString(folder.resolve("one.csv"), "circle,15,3,5,1,0\n");
 
-    Cli run = Cli.run("reference", "base-1", "--scene", file);
+    Cli run = Cli.run("reference base-1 --scene", file);
     assertThat(run.exitCode()).isEqualTo(2);
     assertThat(run.err()).contains("--scene excludes SCENE, --write and --back");
 
-    Cli ofDigits = Cli.run("reference", "base-1", "--digits", 5);
+    Cli ofDigits = Cli.run("reference base-1 --digits 5");
     assertThat(ofDigits.exitCode()).isEqualTo(2);
     assertThat(ofDigits.err()).contains("--digits needs --scene");
 
-    Cli one = Cli.run("reference", "--scene", file, "--frames", 2, "--digits", 3);
+    Cli one = Cli.run("reference --scene", file, "--frames", 2, "--digits", 3);
     assertThat(one.out().lines()).containsExactly("circle,x,y", "0,17.000,3.000");
   }
 }

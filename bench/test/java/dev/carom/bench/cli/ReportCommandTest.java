@@ -26,7 +26,7 @@ class ReportCommandTest {
     Metadata metadata = new Metadata("", 1, "", "", "", "", Map.of(), Map.of(), "", true);
     ResultsJson.write(new Results(metadata, List.of(row)), folder.resolve("results.json"));
 
-    Cli run = Cli.run("report", "--from", folder, "--out", folder.resolve("new"));
+    Cli run = Cli.run("report --from", folder, "--out", folder.resolve("new"));
 
     assertThat(run.exitCode()).isZero();
     assertThat(run.out())
@@ -39,20 +39,20 @@ class ReportCommandTest {
   @Test
   void damagedResultsAreOneLine() throws IOException {
     Files.writeString(folder.resolve("results.json"), "{\"version\":1,\n\"metadata\":x}");
-    Cli run = Cli.run("report", "--from", folder);
+    Cli run = Cli.run("report --from", folder);
     assertThat(run.exitCode()).isEqualTo(1);
     assertThat(run.err()).contains("results.json:2:").hasLineCount(1);
-    Cli missing = Cli.run("report", "--from", folder.resolve("nosuch"));
+    Cli missing = Cli.run("report --from", folder.resolve("nosuch"));
     assertThat(missing.exitCode()).isEqualTo(1);
     assertThat(missing.err()).contains("nosuch").hasLineCount(1);
   }
 
   @Test
   void nothingIsMeasuredFromStoredResults() {
-    assertThat(Cli.run("report", "--from", folder, "--quick").err())
+    assertThat(Cli.run("report --from", folder, "--quick").err())
         .contains("--from and --quick exclude each other")
         .hasLineCount(1);
-    assertThat(Cli.run("report", "--from", folder, "--date", "today").exitCode()).isEqualTo(2);
+    assertThat(Cli.run("report --from", folder, "--date", "today").exitCode()).isEqualTo(2);
   }
 
   @Test
@@ -62,19 +62,19 @@ class ReportCommandTest {
     Path page = folder.resolve("page.md");
     Files.writeString(page, "run on <!-- date -->?<!-- /date -->.");
 
-    Cli run = Cli.run("report", "--from", folder, "--readme", page);
+    Cli run = Cli.run("report --from", folder, "--readme", page);
 
     assertThat(run.exitCode()).isZero();
     assertThat(page).hasContent("run on <!-- date -->2026-01-02<!-- /date -->.");
     assertThat(folder.resolve("report.html")).doesNotExist();
-    assertThat(Cli.run("report", "--readme", page).err())
+    assertThat(Cli.run("report --readme", page).err())
         .contains("--readme needs --from, and excludes --out")
         .hasLineCount(1);
   }
 
   @Test
   void scenesThatThereAreNotAreRefused() {
-    assertThat(Cli.run("report", "--quick", "--scenes", "base-1,nosuch", "--out", folder).err())
+    assertThat(Cli.run("report --quick --scenes base-1,nosuch --out", folder).err())
         .contains("--scenes has nosuch: expected base-1")
         .hasLineCount(1);
     assertThat(folder).isEmptyDirectory();
@@ -83,9 +83,7 @@ class ReportCommandTest {
   @Test
   void theSweepPrintsItsTableAndWritesItsFiles() throws IOException {
     Path csv = folder.resolve("sweep.csv");
-    Cli run =
-        Cli.run(
-            "sweep", "--quick", "--frames", 6, "--replays", 1, "--csv", csv, "--pictures", folder);
+    Cli run = Cli.run("sweep --quick --frames 6 --replays 1 --csv", csv, "--pictures", folder);
 
     assertThat(run.exitCode()).isZero();
     assertThat(run.out())
@@ -98,7 +96,6 @@ class ReportCommandTest {
 
   @Test
   void aSweepOfNoReplaysIsRefused() {
-    assertThat(Cli.run("sweep", "--replays", 0).err())
-        .contains("--rounds is 0: expected at least 1");
+    assertThat(Cli.run("sweep --replays 0").err()).contains("--rounds is 0: expected at least 1");
   }
 }

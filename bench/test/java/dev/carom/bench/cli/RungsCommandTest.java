@@ -16,7 +16,7 @@ class RungsCommandTest {
 
   @Test
   void tableHasARowForEachFamilyAndOneForAll() {
-    Cli run = Cli.run("rungs", "--queries", 20);
+    Cli run = Cli.run("rungs --queries 20");
 
     assertThat(run.exitCode()).isZero();
     List<String> rows = run.out().lines().toList();
@@ -31,7 +31,7 @@ class RungsCommandTest {
   void fileHasTheCountsThatAddUp(@TempDir Path folder) throws IOException {
     Path file = folder.resolve("rungs.csv");
 
-    assertThat(Cli.run("rungs", "--queries", 50, "--csv", file).exitCode()).isZero();
+    assertThat(Cli.run("rungs --queries 50 --csv", file).exitCode()).isZero();
 
     List<Row> rows = ResultsCsv.read(file);
     assertThat(rows).hasSize(7 * RungSurvey.families());

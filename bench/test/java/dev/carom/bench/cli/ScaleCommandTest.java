@@ -15,7 +15,7 @@ class ScaleCommandTest {
   @Test
   void tellsTimesGrowthAndMemory(@TempDir Path folder) throws IOException {
     Path csv = folder.resolve("scale.csv");
-    Cli run = Cli.run("scale", "--quick", "--csv", csv, "--pictures", folder);
+    Cli run = Cli.run("scale --quick --csv", csv, "--pictures", folder);
 
     assertThat(run.exitCode()).isZero();
     assertThat(run.out().lines())
@@ -39,33 +39,20 @@ class ScaleCommandTest {
   void aRoundOfTheReportIsOneOfItsOwn(@TempDir Path folder) throws IOException {
     Path csv = folder.resolve("scale.csv");
     Cli run =
-        Cli.run(
-            "scale",
-            "--quick",
-            "--max",
-            100,
-            "--rounds",
-            1,
-            "--warm-up",
-            0,
-            "--turns",
-            3,
-            "--no-memory",
-            "--csv",
-            csv);
+        Cli.run("scale --quick --max 100 --rounds 1 --warm-up 0 --turns 3 --no-memory --csv", csv);
     assertThat(run.exitCode()).isZero();
     assertThat(ResultsCsv.read(csv))
         .isNotEmpty()
         .noneMatch(row -> row.metric().equals("scale_memory"))
         .filteredOn(row -> row.metric().equals("scale_time"))
         .allMatch(row -> row.n() == 1);
-    assertThat(Cli.run("scale", "--rounds", 0).err()).contains("--rounds is 0");
-    assertThat(Cli.run("scale", "--warm-up", -1).err()).contains("--warm-up is -1");
+    assertThat(Cli.run("scale --rounds 0").err()).contains("--rounds is 0");
+    assertThat(Cli.run("scale --warm-up", -1).err()).contains("--warm-up is -1");
   }
 
   @Test
   void fewerThanAHundredCirclesAreRefused() {
-    Cli run = Cli.run("scale", "--max", 99);
+    Cli run = Cli.run("scale --max 99");
     assertThat(run.exitCode()).isEqualTo(2);
     assertThat(run.err()).contains("--max is 99: expected at least 100");
   }

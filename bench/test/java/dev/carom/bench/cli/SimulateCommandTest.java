@@ -55,15 +55,7 @@ class SimulateCommandTest {
         """);
 
     Cli.run(
-        "simulate",
-        "--scene",
-        scene,
-        "--frames",
-        3,
-        "--positions",
-        positions,
-        "--impacts",
-        impacts);
+        "simulate --scene", scene, "--frames", 3, "--positions", positions, "--impacts", impacts);
 
     assertThat(positions).content().endsWith("3,0,15.0,0.0\n3,1,100.0,31.0\n");
     assertThat(impacts)
@@ -80,7 +72,7 @@ class SimulateCommandTest {
   void theSceneIsNotOverwritten() throws IOException {
     Path link = Files.createSymbolicLink(folder.resolve("link.csv"), scene);
 
-    Cli run = Cli.run("simulate", "--scene", scene, "--frames", 2, "--impacts", link);
+    Cli run = Cli.run("simulate --scene", scene, "--frames", 2, "--impacts", link);
 
     assertThat(run.exitCode()).isEqualTo(2);
     assertThat(scene).hasContent(SCENE);
@@ -88,7 +80,7 @@ class SimulateCommandTest {
 
   @Test
   void writesPositionsAfterEveryFrame() throws IOException {
-    Cli run = Cli.run("simulate", "--scene", scene, "--frames", 2, "--positions", positions);
+    Cli run = Cli.run("simulate --scene", scene, "--frames", 2, "--positions", positions);
 
     assertThat(run.exitCode()).isZero();
     assertThat(positions)
@@ -106,7 +98,7 @@ class SimulateCommandTest {
 
   @Test
   void writesImpactsInTheOrderOfTime() throws IOException {
-    Cli run = Cli.run("simulate", "--scene", scene, "--frames", 2, "--impacts", impacts);
+    Cli run = Cli.run("simulate --scene", scene, "--frames", 2, "--impacts", impacts);
 
     assertThat(impacts)
         .hasContent(
@@ -123,7 +115,7 @@ class SimulateCommandTest {
   @Test
   void aCollisionIsOneRowOfTheLowerNumber() throws IOException {
     Files.writeString(scene, "circle,12,0,3,-2,0\ncircle,0,0,1,2,0,1\ncollide,1\n");
-    Cli.run("simulate", "--scene", scene, "--frames", 3, "--impacts", impacts);
+    Cli.run("simulate --scene", scene, "--frames", 3, "--impacts", impacts);
 
     assertThat(impacts)
         .hasContent(
@@ -146,7 +138,7 @@ class SimulateCommandTest {
         collide,1
         """);
 
-    Cli.run("simulate", "--scene", scene, "--frames", 4, "--impacts", impacts);
+    Cli.run("simulate --scene", scene, "--frames", 4, "--impacts", impacts);
 
     assertThat(impacts)
         .hasContent(
@@ -161,8 +153,7 @@ class SimulateCommandTest {
   @Test
   void aFrameIsAsLongAsAsked() throws IOException {
     Cli.run(
-        "simulate",
-        "--scene",
+        "simulate --scene",
         scene,
         "--frames",
         8,
@@ -183,8 +174,7 @@ class SimulateCommandTest {
 
     Cli run =
         Cli.run(
-            "simulate",
-            "--scene",
+            "simulate --scene",
             scene,
             "--frames",
             1,
@@ -201,9 +191,9 @@ class SimulateCommandTest {
   @Test
   void circlesThatBeginWhereTheyOverlapAreToldOfTen() throws IOException {
     Files.writeString(scene, "wall,0,0,9,9\n" + "circle,1,5,2,0,0\n".repeat(10));
-    Cli ten = Cli.run("simulate", "--scene", scene, "--frames", 1);
+    Cli ten = Cli.run("simulate --scene", scene, "--frames", 1);
     Files.writeString(scene, "wall,0,0,9,9\n" + "circle,1,5,2,0,0\n".repeat(13));
-    Cli more = Cli.run("simulate", "--scene", scene, "--frames", 1);
+    Cli more = Cli.run("simulate --scene", scene, "--frames", 1);
 
     assertThat(ten.exitCode()).isZero();
     assertThat(ten.err()).hasLineCount(10);

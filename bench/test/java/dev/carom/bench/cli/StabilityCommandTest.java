@@ -18,11 +18,7 @@ class StabilityCommandTest {
   void aMapIsPrintedAndDrawn() throws IOException {
     Cli run =
         Cli.run(
-            "stability",
-            "--quick",
-            "--map",
-            "mass",
-            "--pictures",
+            "stability --quick --map mass --pictures",
             folder.resolve("new"),
             "--csv",
             folder.resolve("new/stability.csv"));
@@ -45,7 +41,7 @@ class StabilityCommandTest {
 
   @Test
   void aMapThatThereIsNotIsRefused() {
-    Cli run = Cli.run("stability", "--map", "mass,nosuch");
+    Cli run = Cli.run("stability --map mass,nosuch");
 
     assertThat(run.exitCode()).isEqualTo(2);
     assertThat(run.err())

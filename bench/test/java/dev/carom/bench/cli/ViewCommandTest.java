@@ -25,9 +25,7 @@ class ViewCommandTest {
   void recordsBothSides() throws IOException {
     Path file = folder.resolve("new/slow.gif");
 
-    Cli run =
-        Cli.run(
-            "view", "--preset", "slow", "--against", "substeps", "--frames", 20, "--record", file);
+    Cli run = Cli.run("view --preset slow --against substeps --frames 20 --record", file);
 
     assertThat(run.err()).isEmpty();
     assertThat(run.exitCode()).isZero();
@@ -45,7 +43,7 @@ class ViewCommandTest {
   @Test
   void drawsASceneWithoutAScreen() throws IOException {
     Path file = folder.resolve("new/scene.png");
-    Cli run = Cli.run("view", "--circles", 3, "--frames", 20, "--png", file);
+    Cli run = Cli.run("view --circles 3 --frames 20 --png", file);
     assertThat(run).isEqualTo(new Cli(0, "", ""));
     assertThat(ImageIO.read(file.toFile()).getWidth()).isGreaterThan(800);
   }
@@ -61,7 +59,7 @@ class ViewCommandTest {
     Path scene = folder.resolve("lift.csv");
     Files.writeString(scene, "line,0,0,9,0,vy=1\ncircle,5,9,1,0,0\n");
 
-    Cli run = Cli.run("view", "--scene", scene, "--against", "dyn4j");
+    Cli run = Cli.run("view --scene", scene, "--against", "dyn4j");
 
     assertThat(run.exitCode()).isEqualTo(2);
     assertThat(run.err())
@@ -81,7 +79,7 @@ class ViewCommandTest {
           view --against dyn4j --frames -1    | --frames
           """)
   void tellsWhatIsWrong(String line, String message) {
-    Cli run = Cli.run((Object[]) line.split(" "));
+    Cli run = Cli.run(line);
 
     assertThat(run.exitCode()).isEqualTo(2);
     assertThat(run.err()).contains(message).hasLineCount(1);
