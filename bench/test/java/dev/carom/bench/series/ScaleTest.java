@@ -8,9 +8,12 @@ import dev.carom.bench.experiment.CannotPlaceException;
 import dev.carom.bench.experiment.Crosses;
 import dev.carom.bench.experiment.Tiles;
 import dev.carom.bench.methods.Contender;
+import dev.carom.bench.methods.Method;
 import dev.carom.bench.methods.Methods;
 import dev.carom.bench.results.Row;
 import dev.carom.bench.series.ScalePlan.Model;
+import java.lang.reflect.InvocationHandler;
+import java.lang.reflect.Proxy;
 import java.util.List;
 import java.util.concurrent.atomic.AtomicInteger;
 import org.junit.jupiter.api.Test;
@@ -65,10 +68,24 @@ class ScaleTest {
         .value();
   }
 
+  /** A method that waits before each frame. */
+  private static Method slow(Method method, int millis) {
+    InvocationHandler handler =
+        (proxy, called, arguments) -> {
+          if (called.getName().equals("frame")) {
+            Thread.sleep(millis);
+          }
+          return called.invoke(method, arguments);
+        };
+    return (Method)
+        Proxy.newProxyInstance(
+            Method.class.getClassLoader(), new Class<?>[] {Method.class}, handler);
+  }
+
   @Test
   void whoTakesTooLongIsToldAndPlaysNoLargerScene() throws CannotPlaceException {
     Contender slow =
-        new Contender("slow", "slow", "", scene -> new SlowMethod(Methods.CAROM.start(scene), 20));
+        new Contender("slow", "slow", "", scene -> slow(Methods.CAROM.start(scene), 20));
     List<Row> rows =
         new Scale(new ScalePlan(List.of(1, 2), 1, 1, 0, 10, 1), 1)
             .run(Model.ALONE, List.of(slow), () -> {});
