@@ -76,7 +76,14 @@ final class PatchedDetector {
         : n;
   }
 
-  /** The answer to a query. */
+  /** Two disks as spheres whose centres stay in one plane. */
+  private static double[] inSpace(double... n) {
+    return new double[] {
+      n[0], n[1], 0, n[2], n[3], n[4], 0, n[5], n[6], 0, n[7], n[8], n[9], 0, n[10]
+    };
+  }
+
+  /** The answer to a query; that for two disks has no time unless it is that for two spheres. */
   Reply ask(Query query) {
     double[] arguments = arguments(query);
     try {
@@ -86,6 +93,9 @@ final class PatchedDetector {
       boolean pair = query instanceof PairQuery;
       int contact = (int) (pair ? pairContact : lineContact).invokeExact(arguments);
       double time = (double) (pair ? pairTime : lineTime).invokeExact(contact, arguments);
+      if (pair && time != (double) sphereTime.invokeExact(inSpace(arguments))) {
+        return new Reply(Part.CIRCLE, Double.NaN);
+      }
       return reply(pair ? Part.CIRCLE : linePart(contact & ~Contact.NOW), time);
     } catch (ArithmeticException e) {
       return new Reply(null, Double.NaN);

@@ -13,7 +13,7 @@ import java.util.Locale;
 final class Slack {
   static final String HEAD =
       String.format(
-          "%-16s %10s %9s %7s  %s",
+          "%-24s %10s %9s %7s  %s",
           "bound", "value", "queries", "needed", "first mistake without it");
 
   private static final int LEAST_EXPONENT = -12;
@@ -73,6 +73,6 @@ final class Slack {
     String needed = bound.isBound() && factor > 0 ? "2^" + Math.getExponent(factor) : "-";
     String first = witness == null ? "none" : family + ": " + mistake.part() + " " + mistake.time();
     return String.format(
-        Locale.ROOT, "%-16s %10s %9d %7s  %s", bound, bound.inUnits(), queries, needed, first);
+        Locale.ROOT, "%-24s %10s %9d %7s  %s", bound, bound.inUnits(), queries, needed, first);
   }
 }
