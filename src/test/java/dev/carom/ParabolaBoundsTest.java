@@ -110,7 +110,7 @@ class ParabolaBoundsTest {
   /** The side of a line that is left comes back, halfway between two doubles. */
   @Test
   void theBoundOfAReturnHoldsAndIsNeeded() {
-    Weakening weakening = new Weakening("cross products", "FallReturn", 0, List.of(128 * 0x1p-106));
+    Weakening weakening = new Weakening("beside a root", "GapRoot", 0, List.of(2560.0));
     MethodHandle whole = Detector.whole().side;
     MethodHandle without = new Detector(weakening).side;
     ParabolaFamily family = ParabolaNextFamilies.halfwayToASide();
