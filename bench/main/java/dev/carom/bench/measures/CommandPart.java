@@ -4,10 +4,8 @@ package dev.carom.bench.measures;
 import dev.carom.bench.Main;
 import dev.carom.bench.results.ResultsCsv;
 import dev.carom.bench.results.Row;
-import java.io.File;
 import java.io.IOException;
 import java.io.UncheckedIOException;
-import java.lang.management.ManagementFactory;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.ArrayList;
@@ -35,48 +33,20 @@ public record CommandPart(String id, double seconds, int fork, List<String> argu
     try {
       Path csv = Files.createTempFile("carom-part", ".csv");
       try {
-        play(csv);
+        List<String> command = new ArrayList<>(arguments);
+        command.addAll(List.of("--csv", csv.toString()));
+        OtherMachine.run(Main.class, command);
         return ResultsCsv.read(csv).stream().map(this::ofThisFork).toList();
       } finally {
         Files.delete(csv);
       }
     } catch (IOException e) {
-      throw new UncheckedIOException(e);
+      throw new UncheckedIOException(id + " failed: " + e.getMessage(), e);
     }
   }
 
   private Row ofThisFork(Row r) {
     return new Row(
         r.scene(), r.method(), r.knob(), r.metric(), r.stat(), r.value(), r.unit(), r.n(), fork);
-  }
-
-  private void play(Path csv) throws IOException {
-    Path log = Files.createTempFile("carom-part", ".log");
-    try {
-      Process process =
-          new ProcessBuilder(command(csv))
-              .redirectErrorStream(true)
-              .redirectOutput(log.toFile())
-              .start();
-      if (process.waitFor() != 0) {
-        throw new IOException(id + " failed: " + Files.readString(log).strip());
-      }
-    } catch (InterruptedException e) {
-      Thread.currentThread().interrupt();
-      throw new IOException(id + " was interrupted", e);
-    } finally {
-      Files.delete(log);
-    }
-  }
-
-  private List<String> command(Path csv) {
-    List<String> command = new ArrayList<>();
-    command.add(Path.of(System.getProperty("java.home"), "bin", "java").toString());
-    command.addAll(ManagementFactory.getRuntimeMXBean().getInputArguments());
-    String path = new File(System.getProperty("java.class.path")).getPath();
-    command.addAll(List.of("-cp", path, Main.class.getName()));
-    command.addAll(arguments);
-    command.addAll(List.of("--csv", csv.toString()));
-    return command;
   }
 }

@@ -4,10 +4,6 @@ package dev.carom.bench.measures;
 import dev.carom.bench.methods.LineContender;
 import dev.carom.bench.results.Row;
 import java.io.IOException;
-import java.io.InputStream;
-import java.lang.management.ManagementFactory;
-import java.nio.charset.StandardCharsets;
-import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.Collections;
 import java.util.List;
@@ -39,7 +35,8 @@ record QueryTimePart(int fork, List<String> ids, int warmUpMillis) implements Pa
 
   List<Row> rowsOf(LineContender contender) {
     try {
-      return start(contender)
+      List<String> arguments = List.of(contender.id(), Integer.toString(warmUpMillis));
+      return OtherMachine.run(QueryClock.class, arguments)
           .lines()
           .filter(line -> line.matches(QueryClock.LINE))
           .map(line -> line.split(" "))
@@ -54,31 +51,9 @@ record QueryTimePart(int fork, List<String> ids, int warmUpMillis) implements Pa
                           QueryClock.QUERIES))
           .toList();
     } catch (IOException e) {
-      return List.of(QueryPart.trial("all", contender, fork).failure(e));
-    } catch (InterruptedException e) {
-      Thread.currentThread().interrupt();
-      return List.of(QueryPart.trial("all", contender, fork).failure("interrupted"));
-    }
-  }
-
-  private String start(LineContender contender) throws IOException, InterruptedException {
-    List<String> command = new ArrayList<>();
-    command.add(Path.of(System.getProperty("java.home"), "bin", "java").toString());
-    command.addAll(ManagementFactory.getRuntimeMXBean().getInputArguments());
-    command.addAll(List.of("-cp", System.getProperty("java.class.path")));
-    command.addAll(
-        List.of(QueryClock.class.getName(), contender.id(), Integer.toString(warmUpMillis)));
-    Process process = new ProcessBuilder(command).redirectErrorStream(true).start();
-    try (InputStream out = process.getInputStream()) {
-      String text = new String(out.readAllBytes(), StandardCharsets.UTF_8);
-      int exit = process.waitFor();
-      if (exit != 0) {
-        String reason = text.lines().findFirst().orElse("exit code " + exit);
-        throw new IOException("the clock of " + contender.id() + " failed: " + reason);
-      }
-      return text;
-    } finally {
-      process.destroy();
+      return List.of(
+          QueryPart.trial("all", contender, fork)
+              .failure(e.getMessage().lines().findFirst().orElseThrow()));
     }
   }
 }
