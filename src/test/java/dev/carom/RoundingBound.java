@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 package dev.carom;
 
+import dev.carom.internal.exact.BoundedNumber;
 import dev.carom.internal.exact.Predicates;
 import dev.carom.internal.sweep.SideSweep;
 import dev.carom.internal.sweep.TimeOfImpact;
@@ -43,18 +44,15 @@ enum RoundingBound {
   PREDICATES_DISCRIMINANT(Predicates.class, "DISCRIMINANT_BOUND"),
   PREDICATES_CORNER(Predicates.class, "CORNER_BOUND"),
   PREDICATES_TINY(Predicates.class, "TINY"),
-  PREDICATES_CLOSE(Predicates.class, "CLOSE_BOUND"),
-  PREDICATES_LEAST(Predicates.class, "LEAST_TERMS"),
-  PREDICATES_LARGE(Predicates.class, "LARGE");
+  BOUNDED(BoundedNumber.class, "BOUND"),
+  BOUNDED_LEAST(BoundedNumber.class, "LEAST_TERM");
 
   /** The purpose of a constant. */
   enum Kind {
     /** Bounds an error: none at 0. */
     BOUND,
     /** Keeps small numbers out: none at 0. */
-    LEAST,
-    /** Keeps large numbers out: none at infinity. */
-    MOST
+    LEAST
   }
 
   private final Class<?> owner;
@@ -74,7 +72,7 @@ enum RoundingBound {
   }
 
   private static Kind kind(String field) {
-    return field.endsWith("BOUND") ? Kind.BOUND : field.equals("LARGE") ? Kind.MOST : Kind.LEAST;
+    return field.endsWith("BOUND") ? Kind.BOUND : Kind.LEAST;
   }
 
   private static double read(Class<?> owner, String field) {
@@ -102,7 +100,7 @@ enum RoundingBound {
 
   /** Whether a query can come to this constant at all. */
   boolean concerns(Query query) {
-    if (owner == Predicates.class) {
+    if (owner == Predicates.class || owner == BoundedNumber.class) {
       return !(query instanceof WallQuery);
     }
     return (query instanceof SegmentQuery || query instanceof MovingLineQuery)
@@ -114,7 +112,7 @@ enum RoundingBound {
   void scale(String className, ConstantPool pool, double factor) {
     if (owner.getName().equals(className)) {
       for (double value : values) {
-        pool.replace(value, kind == Kind.MOST ? value / factor : value * factor);
+        pool.replace(value, value * factor);
       }
     }
   }

@@ -7,6 +7,7 @@ import static org.junit.jupiter.api.Assertions.assertNotNull;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import dev.carom.PatchedDetector.Reply;
+import dev.carom.internal.exact.BoundedNumber;
 import dev.carom.internal.exact.Predicates;
 import dev.carom.internal.sweep.SideSweep;
 import dev.carom.internal.sweep.TimeOfImpact;
@@ -99,7 +100,12 @@ class RoundingBoundsTest {
 
   @Test
   void noBoundIsLeftOut() {
-    Stream.of(TimeOfImpact.class, SideSweep.class, WallSweep.class, Predicates.class)
+    Stream.of(
+            TimeOfImpact.class,
+            SideSweep.class,
+            WallSweep.class,
+            Predicates.class,
+            BoundedNumber.class)
         .flatMap(owner -> Arrays.stream(owner.getDeclaredFields()))
         .filter(field -> Modifier.isStatic(field.getModifiers()) && field.getType() == double.class)
         .filter(field -> !field.getName().equals("MOST_SAFE"))

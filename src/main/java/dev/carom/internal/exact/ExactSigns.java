@@ -2,8 +2,9 @@
 package dev.carom.internal.exact;
 
 /**
- * The signs of the polynomials of {@link Predicates} without rounding, in numbers of one kind. Sums
- * of doubles are fast, and recognise a tie as {@link Dyadic} numbers do, which have no limits.
+ * The signs of the polynomials of {@link Predicates} in numbers of one kind: the equations stand
+ * here once. Double-double numbers have a bound, and recognise no tie. Sums of doubles are without
+ * rounding, as {@link Dyadic} numbers are, which have no limits.
  */
 public abstract class ExactSigns<N extends Ring<N>> {
 
