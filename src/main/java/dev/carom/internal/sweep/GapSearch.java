@@ -399,7 +399,9 @@ final class GapSearch {
     if (before == UNKNOWN || last == UNKNOWN) {
       return HALVE;
     }
-    return before == 1 && last == 1 ? NEVER : before == 1 ? root(region, low, high) : within();
+    return before == 1 && last == 1
+        ? NEVER
+        : before == 1 ? root(region, low, high) : within(before);
   }
 
   /** The sign of a gap at an end of the interval. */
@@ -431,9 +433,12 @@ final class GapSearch {
         : GapRoot.nearestEnd(fall, qx, qy, root);
   }
 
-  /** The gap is not above 0 where the interval begins, and falls from there on. */
-  private double within() {
-    return isEntry ? NEVER : low == 0 ? 0 : HALVE;
+  /** The gap has this sign, 0 or -1, where the interval begins, and falls from there on. */
+  private double within(int sign) {
+    if (isEntry) {
+      return sign == 0 && low > 0 ? DOUBT : NEVER; // as in hill
+    }
+    return low == 0 ? 0 : HALVE;
   }
 
   /** The rate changes its sign at most once, if it changes monotonically. */
@@ -469,7 +474,7 @@ final class GapSearch {
       return NEVER;
     }
     int before = signAt(region, low);
-    return before == UNKNOWN ? HALVE : before == 1 ? root(region, low, t) : within();
+    return before == UNKNOWN ? HALVE : before == 1 ? root(region, low, t) : within(before);
   }
 
   /** The gap rises to its greatest value at about t, which has a sign, and falls then. */
@@ -479,7 +484,8 @@ final class GapSearch {
       return last == UNKNOWN ? HALVE : last == 1 ? NEVER : root(region, t, high);
     }
     if (isEntry) {
-      return NEVER;
+      // At 0 where the centre passes to this region: the gap of the other one may come from above.
+      return sign == 0 && !isOne(possible) ? DOUBT : NEVER;
     }
     return sign == 0 ? t : exactGap(region).derivative().nearestRoot(1, low, high);
   }

@@ -68,6 +68,20 @@ class LaterEntryTest {
         .isEqualTo(NEVER);
   }
 
+  /**
+   * At 4 the centre is highest beside the line, at just the radius, and passes there from the
+   * region of the start to that of the side. The gap of the start falls to 0 and no further; that
+   * of the side comes to 0 from below.
+   */
+  @Test
+  void anEntryWhereTheCentrePassesToTheSideIsSeen() {
+    for (double after : new double[] {-1, 1.6}) {
+      assertThat(
+              Falls.timeOfLineAfter(334, -1005, 363, 16, 258, -4, -4, 3, -5, 3, 3, 0, 0, after, 8))
+          .isEqualTo(4);
+    }
+  }
+
   @Test
   void aGrazeIsNoEntry() {
     // At 1 exactly at the top of its flight.
