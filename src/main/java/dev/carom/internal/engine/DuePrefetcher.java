@@ -106,7 +106,8 @@ public final class DuePrefetcher {
     return bits(circles.state[k + FlightRow.X])
         + bits(circles.state[k + CircleTable.CLEARED])
         + circles.codes[c + CircleTable.LAST]
-        + circles.codes[c + CircleTable.STUCK];
+        + circles.codes[c + CircleTable.STUCK]
+        + bits(circles.gx(i));
   }
 
   private long whereItHits(int i) {
