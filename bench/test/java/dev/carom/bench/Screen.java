@@ -16,6 +16,7 @@ import java.awt.Window;
 import java.awt.event.InputEvent;
 import java.io.File;
 import java.nio.channels.FileChannel;
+import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.Arrays;
 import java.util.concurrent.Callable;
@@ -177,6 +178,7 @@ public final class Screen {
     String folder = System.getProperty("carom.screenshots");
     if (folder != null) {
       settle();
+      Files.createDirectories(Path.of(folder));
       File file = new File(folder, name + ".png");
       ImageIO.write(robot.createScreenCapture(frame.getBounds()), "png", file);
     }
