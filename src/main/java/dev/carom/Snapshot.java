@@ -72,9 +72,9 @@ public final class Snapshot {
   /**
    * Writes this snapshot in a format of its own, with a version and a check sum.
    *
-   * <p>It takes 105 bytes a circle, 41 a line, 33 a peg, 52 more for each line or peg that moves or
-   * moved before, 1 for each that was removed, and 145 for the rest, 113 without bounds. Some
-   * states of one circle make all circles larger:
+   * <p>It takes 105 bytes a circle, 41 a line, 33 a peg, and 145 for the rest, 113 without bounds.
+   * To these come 52 more for each line or peg that moves or moved before, and 1 for each that was
+   * removed. Some states of one circle make all circles larger:
    *
    * <ul>
    *   <li>If any circle falls, slides or rests, all take 32 more.

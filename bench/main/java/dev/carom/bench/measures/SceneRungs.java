@@ -22,7 +22,7 @@ public record SceneRungs(String scene, RungCounts counts) {
    */
   public static String render(List<SceneRungs> scenes) {
     StringBuilder text = new StringBuilder();
-    text.append(row("", "pairs", "open to", "exact", "exact", "falls", "exact"));
+    text.append(row("", "pairs", "open in", "exact", "exact", "falls", "exact"));
     text.append(row("scene", "tested", "doubles", "decisions", "times", "asked", "falls"));
     for (SceneRungs s : scenes) {
       RungCounts c = s.counts;

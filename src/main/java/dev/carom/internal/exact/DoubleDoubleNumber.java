@@ -20,11 +20,6 @@ public record DoubleDoubleNumber(double head, double tail) {
     return new DoubleDoubleNumber(sum, tail - (sum - head));
   }
 
-  /** This with the other sign. */
-  public DoubleDoubleNumber negate() {
-    return new DoubleDoubleNumber(-head, -tail);
-  }
-
   /** The sum: 4. */
   public DoubleDoubleNumber plus(DoubleDoubleNumber that) {
     double sum = head + that.head;

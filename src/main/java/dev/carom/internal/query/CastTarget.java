@@ -41,15 +41,6 @@ final class CastTarget {
     return gx != 0 || gy != 0;
   }
 
-  /** Whether a cast that never ends hits this circle, if it does not fall. */
-  boolean isHit(MovingCircle m) {
-    return straightContact(m) != Contact.MISS;
-  }
-
-  private int straightContact(MovingCircle m) {
-    return DiskSweep.contact(m.x, m.y, m.radius, m.vx, m.vy, x, y, r, vx, vy);
-  }
-
   /**
    * The correctly rounded time of a cast's first contact with this circle; infinite for none up to
    * a given end. It sets {@link #contact}.
@@ -64,7 +55,7 @@ final class CastTarget {
       contact = t == 0 ? Contact.NOW : t < NEVER ? Contact.LATER : Contact.MISS;
       return t;
     }
-    contact = straightContact(m);
+    contact = DiskSweep.contact(m.x, m.y, m.radius, m.vx, m.vy, x, y, r, vx, vy);
     return DiskSweep.time(contact, m.x, m.y, m.radius, m.vx, m.vy, x, y, r, vx, vy, end);
   }
 

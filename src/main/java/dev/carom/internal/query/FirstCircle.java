@@ -81,7 +81,7 @@ final class FirstCircle implements BoxTree.First {
   @Override
   public void look(int place) {
     target = index.circle(place);
-    if (target.isFalling() ? !(reach.entry(target) > limit()) : target.isHit(m)) {
+    if (!target.isFalling() || !(reach.entry(target) > limit())) {
       test(index.tree().item(place));
     }
   }

@@ -55,7 +55,8 @@ final class GapSearch {
   private static final int BITS_PER_INTERVAL = 6144;
 
   /**
-   * The first interval of a return, of the time that a straight drop takes, whose return is in it.
+   * The first interval of a return, in units of {@link #levelTime}. A disk that was dropped
+   * straight onto an end returns just then, so the interval is a little longer.
    */
   private static final double FIRST_PART = 1.0625;
 

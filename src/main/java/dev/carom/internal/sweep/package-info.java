@@ -16,7 +16,7 @@
  *       <td>{@code search} of {@link dev.carom.internal.sweep.GapSearch}
  *   <tr><td>where exact numbers begin
  *       <td>{@code exact} of {@link dev.carom.internal.sweep.FallSweep}; of a straight flight {@code
- *       climb} of {@link dev.carom.internal.exact.Predicates} for a decision, {@link
+ *       exactly} of {@link dev.carom.internal.exact.Predicates} for a decision, {@link
  *       dev.carom.internal.exact.Exact} for a time
  *   <tr><td>the one-way rule, the rule of ties, the test of moving obstacles
  *       <td>the package {@link dev.carom.internal.search}
