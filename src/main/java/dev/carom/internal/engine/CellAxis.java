@@ -60,7 +60,9 @@ final class CellAxis {
 
   /** Whether a place is in a cell or on its edge. */
   boolean holds(double cell, double place) {
-    return place >= edge(cell) && place <= edge(cell + 1);
+    return Math.abs(cell + 0.5) < near
+        ? place >= cell * width && place <= (cell + 1) * width
+        : place >= edge(cell) && place <= edge(cell + 1);
   }
 
   private double farEdge(double cell) {

@@ -345,7 +345,8 @@ final class CollisionPredictor {
 
   /**
    * Makes j the partner of circle i if it collides with it first; false as in {@link
-   * #predictEarlier}.
+   * #predictEarlier}. As one method it is too large to be inlined at each of its calls: measured, a
+   * gas is 3 % faster than with such copies.
    */
   private boolean consider(double[] s, int[] codes, int i, int j, int before) {
     if (!pairs.meet(i, j)) {
@@ -353,9 +354,29 @@ final class CollisionPredictor {
     }
     boolean alike = !falls || pair.fallAlike(i, j);
     boolean silent = pairs.haveSilent() && pairs.isSilent(i, j);
-    double t = silent || !alike ? Double.NaN : roughTime(s, i, j);
     int a = CircleTable.collidingAt(i);
-    double time = Math.max(s[a + FlightRow.T], s[CircleTable.collidingAt(j) + FlightRow.T]) + t;
+    int c = CircleTable.collidingAt(j);
+    double t = Double.NaN;
+    if (falls) {
+      t = !silent && alike && pair.start(s, i, j) ? pair.roughTime() : t;
+    } else if (!silent) {
+      // The first and the last column first: then compilers need not check the range of the rest.
+      double xi = s[a + FlightRow.X];
+      double xj = s[c + FlightRow.X];
+      double r = s[a + FlightRow.RADIUS] + s[c + FlightRow.RADIUS];
+      double later =
+          (s[c + FlightRow.T] - s[a + FlightRow.T]) + (s[c + FlightRow.TL] - s[a + FlightRow.TL]);
+      double ofI = positive(later);
+      double ofJ = ofI - later;
+      double vxi = s[a + FlightRow.VX];
+      double vyi = s[a + FlightRow.VY];
+      double vxj = s[c + FlightRow.VX];
+      double vyj = s[c + FlightRow.VY];
+      double dx = fma(vxi, ofI, xi) - fma(vxj, ofJ, xj);
+      double dy = fma(vyi, ofI, s[a + FlightRow.Y]) - fma(vyj, ofJ, s[c + FlightRow.Y]);
+      t = roughTime(dx, dy, vxi - vxj, vyi - vyj, r);
+    }
+    double time = Math.max(s[a + FlightRow.T], s[c + FlightRow.T]) + t;
     double error = fma(t, TIME_BOUND, time * SUM_BOUND);
     if (time - error > high) {
       return true;
@@ -371,33 +392,12 @@ final class CollisionPredictor {
   }
 
   /**
-   * The duration from the later start to the collision of two circles with the same acceleration;
-   * NaN in doubt.
+   * The duration to the collision of two circles with the same acceleration; NaN in doubt.
+   *
+   * @param dx,dy the offset of the first one from the second, at the later start
+   * @param ux,uy its relative velocity
+   * @param r the sum of the radii
    */
-  private double roughTime(double[] s, int i, int j) {
-    if (falls) {
-      return pair.start(s, i, j) ? pair.roughTime() : Double.NaN;
-    }
-    int a = CircleTable.collidingAt(i);
-    int c = CircleTable.collidingAt(j);
-    // The first and the last column first: then compilers need not check the range of the rest.
-    double xi = s[a + FlightRow.X];
-    double xj = s[c + FlightRow.X];
-    double r = s[a + FlightRow.RADIUS] + s[c + FlightRow.RADIUS];
-    double later =
-        (s[c + FlightRow.T] - s[a + FlightRow.T]) + (s[c + FlightRow.TL] - s[a + FlightRow.TL]);
-    double ofI = positive(later);
-    double ofJ = ofI - later;
-    double vxi = s[a + FlightRow.VX];
-    double vyi = s[a + FlightRow.VY];
-    double vxj = s[c + FlightRow.VX];
-    double vyj = s[c + FlightRow.VY];
-    double dx = fma(vxi, ofI, xi) - fma(vxj, ofJ, xj);
-    double dy = fma(vyi, ofI, s[a + FlightRow.Y]) - fma(vyj, ofJ, s[c + FlightRow.Y]);
-    return roughTime(dx, dy, vxi - vxj, vyi - vyj, r);
-  }
-
-  /** The same from the offset d and the relative velocity u of the first circle. */
   static double roughTime(double dx, double dy, double ux, double uy, double r) {
     double bx = ux * dx;
     double by = uy * dy;

@@ -33,6 +33,9 @@ public final class NeighborGrid {
   /** The columns of each level, and likewise the rows, counted from the origin. */
   private final CellAxis[] axes;
 
+  /** The only one of them, if there is a single level: reading it needs no range check. */
+  private final CellAxis single;
+
   private final double originX;
   private final double originY;
 
@@ -93,6 +96,7 @@ public final class NeighborGrid {
     for (int i = 0; i < count; i++) {
       codes[CircleTable.collidingCodesAt(i) + CircleTable.FOLLOWER] = Index.NONE;
     }
+    single = levels == 1 ? axes[0] : null;
     coarse = new double[levels == 1 ? 0 : 2 * levels * count];
     inside = new double[4 * levels];
     for (int k = 0; k < levels; k++) {
@@ -188,7 +192,7 @@ public final class NeighborGrid {
     }
     double x = s[a + FlightRow.X] - originX;
     double y = s[a + FlightRow.Y] - originY;
-    CellAxis axis = axes[levelOf(i)];
+    CellAxis axis = axis(i);
     if (!axis.holds(s[a + CircleTable.COLUMN], x) || !axis.holds(s[a + CircleTable.ROW], y)) {
       leave(i);
       enter(i, x, y);
@@ -213,6 +217,10 @@ public final class NeighborGrid {
   /** The level of a circle; no memory is read if there is only one. */
   private int levelOf(int i) {
     return levels == 1 ? 0 : levelOf[i];
+  }
+
+  private CellAxis axis(int i) {
+    return levels == 1 ? single : axes[levelOf[i]];
   }
 
   /** The array that holds the cell of a circle on a level: its column, then its row. */
@@ -266,7 +274,7 @@ public final class NeighborGrid {
 
   private boolean isFar(int i) {
     int a = CircleTable.collidingAt(i);
-    CellAxis axis = axes[levelOf(i)];
+    CellAxis axis = axis(i);
     return axis.isFar(state[a + CircleTable.COLUMN]) || axis.isFar(state[a + CircleTable.ROW]);
   }
 
@@ -281,7 +289,7 @@ public final class NeighborGrid {
     double gy = circles.gy(i);
     double since = s[a + CircleTable.ENTERED];
     int own = levelOf(i);
-    CellAxis axis = axes[own];
+    CellAxis axis = axis(i);
     double dx = FallingExit.ahead(x, vx, gx, since, s[a + CircleTable.COLUMN], axis);
     double dy = FallingExit.ahead(y, vy, gy, since, s[a + CircleTable.ROW], axis);
     double first = Math.min(dx, dy);

@@ -192,7 +192,11 @@ abstract class CellWalk extends FirstImpact {
           return Math.min(best, ahead);
         }
         enter(Math.max(nextY - perY, nextY + lead - perX), nextY + (lead & (lead >> 63)));
-        visit(grid, list, near);
+        if (near > 0) {
+          look(list, near);
+        } else {
+          visit(grid, list);
+        }
         end = (long) Math.min((latest - start) * rate, most);
       }
       do {
@@ -214,11 +218,12 @@ abstract class CellWalk extends FirstImpact {
     }
   }
 
-  /** Shows what a cell lists; of a pair of lines only those that are near. */
-  private void visit(Grid grid, long list, int near) {
-    if (near > 0) {
-      look(list, near);
-    } else if (CellList.areOthers(list)) {
+  /**
+   * Shows what a cell lists, unless that is a pair of lines: with these, too, the walk made two
+   * calls for each line, if compilers inlined the inner one, which is large, into this one.
+   */
+  private void visit(Grid grid, long list) {
+    if (CellList.areOthers(list)) {
       considerOthers(list);
     } else {
       visitAll(grid.pairs, CellList.start(list));
