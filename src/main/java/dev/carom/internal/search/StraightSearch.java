@@ -207,18 +207,11 @@ final class StraightSearch extends CellWalk {
 
   /** Considers the two walls ahead; the one that is later by estimate only if it may come first. */
   private void considerWalls() {
-    if (!bounded) {
-      return;
-    }
-    if (aheadX < aheadY) {
-      considerWall(px, vx, Codes.LEFT);
-      if (!(aheadY > best)) {
-        considerWall(py, vy, Codes.BOTTOM);
-      }
-    } else {
-      considerWall(py, vy, Codes.BOTTOM);
-      if (!(aheadX > best)) {
-        considerWall(px, vx, Codes.LEFT);
+    if (bounded) {
+      boolean isVerticalFirst = aheadX < aheadY;
+      considerWall(isVerticalFirst);
+      if (!(Math.max(aheadX, aheadY) > best)) {
+        considerWall(!isVerticalFirst);
       }
     }
   }
@@ -257,10 +250,11 @@ final class StraightSearch extends CellWalk {
     }
   }
 
-  /** Considers the wall that the circle moves towards on one axis. */
-  private void considerWall(double p, double v, int lowCode) {
-    int code = wallCode(lowCode, v);
-    double t = WallSweep.time(p, r, v, obstacles.walls[code]);
+  /** Considers the wall that the circle moves towards, of the vertical or of the other ones. */
+  private void considerWall(boolean vertical) {
+    double v = vertical ? vx : vy;
+    int code = wallCode(vertical ? Codes.LEFT : Codes.BOTTOM, v);
+    double t = WallSweep.time(vertical ? px : py, r, v, obstacles.walls[code]);
     if (!ignores(code)) {
       offer(t, code, 0);
     }
