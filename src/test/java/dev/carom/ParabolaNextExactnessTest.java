@@ -3,7 +3,7 @@ package dev.carom;
 
 import static org.assertj.core.api.Assertions.assertThat;
 
-import dev.carom.internal.exact.PrecisionCounters;
+import dev.carom.internal.exact.PrecisionCounter;
 import dev.carom.internal.sweep.Contact;
 import dev.carom.internal.sweep.Falls;
 import dev.carom.oracle.Draw;
@@ -63,8 +63,8 @@ class ParabolaNextExactnessTest {
     long failed = 0;
     for (ParabolaFamily family : families) {
       Draw draw = new Draw(SEED * 0x9E3779B97F4A7C15L ^ family.name().hashCode());
-      long asked = PrecisionCounters.COUNT.parabolas;
-      long exact = PrecisionCounters.COUNT.exactParabolas;
+      long asked = PrecisionCounter.PARABOLAS.count();
+      long exact = PrecisionCounter.EXACT_PARABOLAS.count();
       hits = 0;
       int wrong = 0;
       for (int i = 0; i < Math.max(1, QUERIES / families.size()); i++) {
@@ -80,9 +80,9 @@ class ParabolaNextExactnessTest {
               Locale.ROOT,
               "%-32s %6d %6d %6d %4d",
               family.name(),
-              PrecisionCounters.COUNT.parabolas - asked,
+              PrecisionCounter.PARABOLAS.count() - asked,
               hits,
-              PrecisionCounters.COUNT.exactParabolas - exact,
+              PrecisionCounter.EXACT_PARABOLAS.count() - exact,
               wrong));
     }
     System.out.println(table);

@@ -5,7 +5,7 @@ import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.assertThatExceptionOfType;
 import static org.assertj.core.api.Assertions.assertThatIllegalArgumentException;
 
-import dev.carom.internal.exact.PrecisionCounters;
+import dev.carom.internal.exact.PrecisionCounter;
 import dev.carom.internal.state.EngineOptions;
 import java.util.ArrayList;
 import java.util.List;
@@ -280,12 +280,12 @@ class QuestionsTest {
     int casts = 200;
     for (int i = -20; i < casts; i++) {
       if (i == 0) { // now there is an index
-        before = PrecisionCounters.COUNT.parabolas;
+        before = PrecisionCounter.PARABOLAS.count();
       }
       Circle ray = new Circle(500 * random.nextDouble(), 500 * random.nextDouble(), 0);
       world.cast(ray, new Vec2(random.nextGaussian(), random.nextGaussian()), NEVER);
     }
-    assertThat(PrecisionCounters.COUNT.parabolas - before).isLessThan(200L * casts);
+    assertThat(PrecisionCounter.PARABOLAS.count() - before).isLessThan(200L * casts);
   }
 
   @Test

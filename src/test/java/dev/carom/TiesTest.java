@@ -3,7 +3,7 @@ package dev.carom;
 
 import static org.assertj.core.api.Assertions.assertThat;
 
-import dev.carom.internal.exact.PrecisionCounters;
+import dev.carom.internal.exact.PrecisionCounter;
 import java.util.Random;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.condition.EnabledIfSystemProperty;
@@ -52,10 +52,13 @@ class TiesTest {
 
   /** Decisions and answers that took algebraic numbers on the way to a time. */
   private static long exactAnswers(Scene scene, double time) {
-    PrecisionCounters count = PrecisionCounters.COUNT;
-    long before = count.exactDecisions + count.exactParabolas;
+    long before = exactAnswers();
     assertThat(new World(scene).advanceTo(time)).isTrue();
-    return count.exactDecisions + count.exactParabolas - before;
+    return exactAnswers() - before;
+  }
+
+  private static long exactAnswers() {
+    return PrecisionCounter.EXACT_DECISIONS.count() + PrecisionCounter.EXACT_PARABOLAS.count();
   }
 
   @Test

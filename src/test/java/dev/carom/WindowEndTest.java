@@ -3,10 +3,13 @@ package dev.carom;
 
 import static org.assertj.core.api.Assertions.assertThat;
 
-import dev.carom.internal.exact.Exact;
+import dev.carom.internal.exact.Dyadic;
 import dev.carom.internal.exact.ExactTime;
+import dev.carom.internal.exact.Polynomial;
 import dev.carom.internal.sweep.Contact;
 import dev.carom.internal.sweep.DiskSweep;
+import dev.carom.internal.sweep.FallSweep;
+import dev.carom.internal.sweep.Falls;
 import dev.carom.internal.sweep.SegmentSweep;
 import dev.carom.oracle.SegmentQuery;
 import dev.carom.oracle.SphereQuery;
@@ -123,9 +126,10 @@ class WindowEndTest {
       if (DiskSweep.contact(n[0], n[1], n[2], n[3], n[4], n[5], n[6], n[7], n[8], n[9])
           == Contact.LATER) {
         asked++;
-        Exact.Disks exact =
-            Exact.Disks.of(n[0], n[1], n[2], n[3], n[4], n[5], n[6], n[7], n[8], n[9]);
-        assertThat(pair(n)).as(() -> Arrays.toString(n)).isEqualTo(exact.time().upTo(n[10]));
+        ExactTime exact =
+            ExactTime.of(
+                gap(n[2], n[7], motion(n[0], n[5], n[3], n[8]), motion(n[1], n[6], n[4], n[9])));
+        assertThat(pair(n)).as(() -> Arrays.toString(n)).isEqualTo(exact.upTo(n[10]));
       }
     }
   }
@@ -164,10 +168,10 @@ class WindowEndTest {
     int meeting = 0;
     for (int i = 0; i < QUESTIONS; i++) {
       double[] n = spheres();
-      Exact.Disks exact = exact(n);
-      if (exact.gap().sign() > 0) {
-        boolean meets = exact.drift().sign() < 0 && exact.discriminant().sign() > 0;
-        double time = meets ? exact.time().upTo(n[14]) : FOREVER;
+      Polynomial exact = exact(n);
+      if (exact.sign(Dyadic.ZERO) > 0) {
+        boolean meets = meets(exact);
+        double time = meets ? ExactTime.of(exact).upTo(n[14]) : FOREVER;
         assertThat(sphere(n)).as(() -> Arrays.toString(n)).isEqualTo(time);
         apart++;
         meeting += meets ? 1 : 0;
@@ -226,12 +230,10 @@ class WindowEndTest {
     int hits = 0;
     for (int i = 0; i < QUESTIONS; i++) {
       double[] n = touching();
-      Exact.Disks exact = n == null ? null : exact(n);
-      if (exact != null
-          && exact.gap().sign() > 0
-          && exact.drift().sign() < 0
-          && exact.discriminant().sign() > 0) {
-        assertThat(sphere(n)).as(() -> Arrays.toString(n)).isEqualTo(exact.time().upTo(n[14]));
+      Polynomial exact = n == null ? null : exact(n);
+      if (exact != null && exact.sign(Dyadic.ZERO) > 0 && meets(exact)) {
+        double time = ExactTime.of(exact).upTo(n[14]);
+        assertThat(sphere(n)).as(() -> Arrays.toString(n)).isEqualTo(time);
         hits++;
       }
     }
@@ -255,9 +257,32 @@ class WindowEndTest {
     assertThat(sphere(n)).isEqualTo(new SphereQuery(n).truth());
   }
 
-  private static Exact.Disks exact(double[] n) {
-    return Exact.Disks.of(
-        n[0], n[1], n[2], n[3], n[4], n[5], n[6], n[7], n[8], n[9], n[10], n[11], n[12], n[13]);
+  private static Polynomial exact(double[] n) {
+    return gap(
+        n[3],
+        n[10],
+        motion(n[0], n[7], n[4], n[11]),
+        motion(n[1], n[8], n[5], n[12]),
+        motion(n[2], n[9], n[6], n[13]));
+  }
+
+  private static Polynomial motion(double p, double q, double v, double u) {
+    return Polynomial.EXACT.motion(p, q, v, u, 0);
+  }
+
+  /** The square of an offset, less that of the sum of two radii. */
+  private static Polynomial gap(double r1, double r2, Polynomial... offset) {
+    Polynomial r = Polynomial.EXACT.difference(r1, -r2);
+    Polynomial gap = Polynomial.of().minus(r.times(r));
+    for (Polynomial axis : offset) {
+      gap = gap.plus(axis.times(axis));
+    }
+    return gap;
+  }
+
+  /** Whether the gap falls at the start, and comes below 0. */
+  private static boolean meets(Polynomial gap) {
+    return gap.derivative().sign(Dyadic.ZERO) < 0 && ExactTime.of(gap).q().sign() > 0;
   }
 
   // A disk and the side of a line: ax ay bx by px py r vx vy T.
@@ -342,7 +367,9 @@ class WindowEndTest {
       if (contact == Contact.LEFT || contact == Contact.RIGHT) {
         asked++;
         ExactTime exact =
-            Exact.timeOfSide(n[4], n[5], n[6], n[7], n[8], n[0], n[1], n[2], n[3], 0, 0);
+            FallSweep.exactTime(
+                Falls.line(n[4], n[5], n[6], n[7], n[8], 0, 0, n[0], n[1], n[2], n[3], 0, 0),
+                contact);
         assertThat(line(n)).as(() -> Arrays.toString(n)).isEqualTo(exact.upTo(n[9]));
       }
     }

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 package dev.carom.bench.methods;
 
-import dev.carom.internal.exact.PrecisionCounters;
+import dev.carom.internal.exact.PrecisionCounter;
 
 /**
  * The library's counts of its rungs of precision. They are in a package that the library does not
@@ -43,7 +43,7 @@ public record RungCounts(
 
   /** Whether this process counts, as it does if counts are enabled. */
   public static boolean areEnabled() {
-    return PrecisionCounters.COUNT != null;
+    return PrecisionCounter.IS_COUNTING;
   }
 
   /**
@@ -56,13 +56,13 @@ public record RungCounts(
       throw new IllegalStateException("nothing is counted in this process");
     }
     return new RungCounts(
-        PrecisionCounters.COUNT.doubtfulDecisions,
-        PrecisionCounters.COUNT.exactDecisions,
-        PrecisionCounters.COUNT.roots,
-        PrecisionCounters.COUNT.exactTimes,
-        PrecisionCounters.COUNT.pairTests,
-        PrecisionCounters.COUNT.parabolas,
-        PrecisionCounters.COUNT.exactParabolas);
+        PrecisionCounter.DOUBTFUL_DECISIONS.count(),
+        PrecisionCounter.EXACT_DECISIONS.count(),
+        PrecisionCounter.ROOTS.count(),
+        PrecisionCounter.EXACT_TIMES.count(),
+        PrecisionCounter.PAIR_TESTS.count(),
+        PrecisionCounter.PARABOLAS.count(),
+        PrecisionCounter.EXACT_PARABOLAS.count());
   }
 
   /**

@@ -51,7 +51,7 @@ public final class Dyadic implements Ring<Dyadic> {
   }
 
   /** a - b, without rounding. */
-  static Dyadic difference(double a, double b) {
+  public static Dyadic difference(double a, double b) {
     return of(a).minus(of(b));
   }
 

@@ -40,7 +40,8 @@ public final class ExactParabola {
   /** The gaps by region; one gap if there is no line. */
   private final Polynomial[] gap;
 
-  private ExactParabola(Gaps<Polynomial> gaps, boolean isLine, Polynomial... gap) {
+  private ExactParabola(Gaps<Polynomial> gaps, Polynomial... gap) {
+    boolean isLine = gap.length > 1;
     this.gaps = gaps;
     this.gap = gap;
     alongStart = isLine ? gaps.fromStart() : NONE;
@@ -48,33 +49,28 @@ public final class ExactParabola {
     height = isLine ? gaps.height() : NONE;
   }
 
-  /** Against a disk. */
-  public static ExactParabola disk(Gaps<Polynomial> gaps) {
-    return new ExactParabola(gaps, false, gaps.gap(Gaps.BEFORE));
-  }
-
-  /** Against a line that has a length. */
-  public static ExactParabola line(Gaps<Polynomial> gaps) {
-    return new ExactParabola(
-        gaps, true, gaps.gap(Gaps.BEFORE), gaps.gap(Gaps.BESIDE), gaps.gap(Gaps.BEYOND));
+  /** Against a line that has a length, or a disk. */
+  public static ExactParabola of(Gaps<Polynomial> gaps, boolean isLine) {
+    Polynomial before = gaps.gap(Gaps.BEFORE);
+    return isLine
+        ? new ExactParabola(gaps, before, gaps.gap(Gaps.BESIDE), gaps.gap(Gaps.BEYOND))
+        : new ExactParabola(gaps, before);
   }
 
   /** Against what has one gap everywhere: a wall, or the thing just hit. */
   public static ExactParabola ofGap(Polynomial gap) {
-    return new ExactParabola(null, false, gap);
+    return new ExactParabola(null, gap);
   }
 
   /** The time of impact; null for none up to the window's end T. */
   public RealRoot first(double T) {
-    PrecisionCounters.exactParabola();
+    PrecisionCounter.EXACT_PARABOLAS.add();
     return firstFrom(START, T);
   }
 
   /** The first time from a given one on that is one of impact; null for none up to T. */
   RealRoot firstFrom(RealRoot from, double T) {
-    RealRoot first =
-        isPoint() ? firstOfPoint(root -> root.compare(from) >= 0) : firstFall(from, limit(T));
-    return isLate(first, T) ? null : first;
+    return isPoint() ? upTo(T, firstOfPoint(root -> root.compare(from) >= 0)) : firstFall(from, T);
   }
 
   /**
@@ -82,33 +78,16 @@ public final class ExactParabola {
    * falls below 0. Contact at the start is no entry. It is {@code +infinity} for none up to T.
    */
   public double timeAfter(double s, double T) {
-    PrecisionCounters.exactParabola();
+    PrecisionCounter.EXACT_PARABOLAS.add();
     RealRoot root = entryAfter(s, T);
     return root == null ? Double.POSITIVE_INFINITY : root.nearest();
   }
 
   private RealRoot entryAfter(double s, double T) {
-    RealRoot entry =
-        isPoint() ? firstOfPoint(root -> root.isRoundedAbove(s)) : fallAfter(s, limit(T));
-    return isLate(entry, T) ? null : entry;
-  }
-
-  /** The first border with a rounded time above s at which the gap turns from above to below 0. */
-  private RealRoot fallAfter(double s, RealRoot limit) {
-    RealRoot root = START;
-    int before = 0;
-    for (RealRoot next : borders(limit)) {
-      if (root.compare(next) < 0) {
-        int sign = sign(root.between(next));
-        if (before > 0 && sign < 0 && root.isRoundedAbove(s)) {
-          return root;
-        }
-        before = sign;
-        root = next;
-      }
-    }
-    int last = sign(limit == null ? root.after() : root.between(limit));
-    return before > 0 && last < 0 && root.isRoundedAbove(s) ? root : null;
+    return isPoint()
+        ? upTo(T, firstOfPoint(root -> root.isRoundedAbove(s)))
+        : firstBorder(START, T, (before, root, after) ->
+            before != null && sign(before) > 0 && sign(after) < 0 && root.isRoundedAbove(s));
   }
 
   /** The impact or the later entry whose rounded time is t; t itself if there is none. */
@@ -120,38 +99,46 @@ public final class ExactParabola {
     return root == null || root.nearest() != t ? RealRoot.at(Dyadic.of(t)) : root;
   }
 
-  /** The first impact of one that is no point, up to T; a point falls below none of its gaps. */
-  RealRoot firstFall(double T) {
-    RealRoot first = firstFall(START, limit(T));
-    return isLate(first, T) ? null : first;
+  /** A time, or the first border from it on up to T, after which the gap is not above 0 and falls. */
+  RealRoot firstFall(RealRoot from, double T) {
+    return firstBorder(from, T, (before, root, after) -> falls(after));
   }
 
   /** The first impact of a point up to T that is not in a given region. */
   RealRoot firstOfPoint(int region, double T) {
-    RealRoot first = firstOfPoint(root -> region(root) != region);
-    return isLate(first, T) ? null : first;
+    return upTo(T, firstOfPoint(root -> region(root) != region));
   }
 
-  private static RealRoot limit(double T) {
-    return T == Double.POSITIVE_INFINITY ? null : RealRoot.after(T);
+  /** Whether a border counts, by numbers just before it, null for none, and just after it. */
+  private interface Border {
+    boolean counts(Dyadic before, RealRoot root, Dyadic after);
   }
 
-  private static boolean isLate(RealRoot root, double T) {
-    return root != null && T < Double.POSITIVE_INFINITY && root.compare(Dyadic.of(T)) > 0;
-  }
-
-  /** A time, or the first border from it up to a limit, after which the gap falls; null for none. */
-  private RealRoot firstFall(RealRoot from, RealRoot limit) {
+  /** A time, or the first border from it on up to T, that counts; null for none. */
+  private RealRoot firstBorder(RealRoot from, double T, Border border) {
+    RealRoot limit = T == Double.POSITIVE_INFINITY ? null : RealRoot.after(T);
+    List<RealRoot> borders = borders(limit);
+    borders.add(limit);
     RealRoot root = from;
-    for (RealRoot next : borders(limit)) {
-      if (root.compare(next) < 0) {
-        if (falls(root.between(next))) {
-          return root;
+    Dyadic before = null;
+    for (RealRoot next : borders) {
+      if (next == null || root.compare(next) < 0) {
+        Dyadic after = next == null ? root.after() : root.between(next);
+        if (border.counts(before, root, after)) {
+          return upTo(T, root);
         }
+        before = after;
         root = next;
       }
     }
-    return falls(limit == null ? root.after() : root.between(limit)) ? root : null;
+    return null;
+  }
+
+  /** A root, or null if it is later than T. */
+  private static RealRoot upTo(double T, RealRoot root) {
+    boolean isLate =
+        root != null && T < Double.POSITIVE_INFINITY && root.compare(Dyadic.of(T)) > 0;
+    return isLate ? null : root;
   }
 
   /** The correctly rounded time of impact, {@code +infinity} for none up to the window's end T. */
@@ -172,41 +159,22 @@ public final class ExactParabola {
     return t.sign(alongStart) >= 0 && t.sign(alongEnd) <= 0;
   }
 
-  /**
-   * The side of the line that a disk touches at the start: by its place; that of a point, or of a
-   * centre on the line, by the velocity with which it leaves. Without one nothing holds it there.
-   */
-  int sideAtStart() {
-    int place = height.sign(Dyadic.ZERO);
-    int speed = height.derivative().sign(Dyadic.ZERO);
-    if (isPoint() && speed != 0) {
-      return speed;
-    }
-    int bend = height.derivative().derivative().sign(Dyadic.ZERO);
-    return place != 0 ? place : speed != 0 ? speed : bend;
-  }
-
   boolean isPoint() {
     return gaps != null && gaps.r().isZero();
-  }
-
-  /** The gap in a region. */
-  Polynomial gap(int region) {
-    return gap[region];
   }
 
   /** The same line, but for the gap in a region. */
   ExactParabola withGap(int region, ExactParabola other) {
     Polynomial[] others = gap.clone();
     others[region] = other.gap[0];
-    return new ExactParabola(gaps, true, others);
+    return new ExactParabola(gaps, others);
   }
 
   /** The end of the line in a region, as a disk. */
   ExactParabola part(int region) {
     Polynomial x = gaps.x(region);
     Polynomial y = gaps.y(region);
-    return disk(new Gaps<Polynomial>().set(x, y, x, y, NONE, NONE, gaps.r()));
+    return of(new Gaps<Polynomial>().set(x, y, x, y, NONE, NONE, gaps.r()), false);
   }
 
   /** The side of the line just before an impact: +1 left, -1 right. */

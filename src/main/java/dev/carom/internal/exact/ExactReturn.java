@@ -23,25 +23,18 @@ public final class ExactReturn {
   /** The side of the line: +1 left, -1 right. */
   private final int side;
 
-  private ExactReturn(Polynomial gap, ExactParabola line, int part, int side) {
+  /**
+   * The return to a line or a disk.
+   *
+   * @param part the region in which the disk touches it
+   * @param side the side of a line that it touches there
+   */
+  public ExactReturn(Gaps<Polynomial> gaps, boolean isLine, int part, int side) {
+    Polynomial gap = part == Gaps.BESIDE ? gaps.height().signed(side) : gaps.gap(part);
     own = ExactParabola.ofGap(gap.fromStart());
-    this.line = line;
+    line = isLine ? ExactParabola.of(gaps, true) : null;
     this.part = part;
     this.side = side;
-  }
-
-  /** To a disk. */
-  public static ExactReturn toDisk(Gaps<Polynomial> gaps) {
-    return new ExactReturn(gaps.gap(Gaps.BEFORE), null, Gaps.BEFORE, 0);
-  }
-
-  /** To a line. The disk touches the part in whose region its centre is at the start. */
-  public static ExactReturn toLine(Gaps<Polynomial> gaps) {
-    ExactParabola line = ExactParabola.line(gaps);
-    int part = line.region(ExactParabola.START);
-    int side = line.sideAtStart();
-    Polynomial gap = part == Gaps.BESIDE ? gaps.height().signed(side) : gaps.gap(part);
-    return new ExactReturn(gap, line, part, side);
   }
 
   /** The correctly rounded time of the return, {@code +infinity} for none up to T. */
@@ -52,7 +45,7 @@ public final class ExactReturn {
 
   /** The time of the return; null for none up to the window's end T. */
   public RealRoot first(double T) {
-    PrecisionCounters.exactParabola();
+    PrecisionCounter.EXACT_PARABOLAS.add();
     RealRoot back = own.firstFrom(ExactParabola.START, T);
     if (line == null) {
       return back;
@@ -72,7 +65,7 @@ public final class ExactReturn {
     if (back != null && back.compare(Dyadic.ZERO) == 0) {
       return back;
     }
-    RealRoot next = line.withGap(part, own).firstFall(T);
+    RealRoot next = line.withGap(part, own).firstFall(ExactParabola.START, T);
     if (!line.isPoint()) {
       return next;
     }

@@ -16,6 +16,23 @@ public record ExactTime(Dyadic p, Dyadic q, Dyadic d) {
   /** Time 0: the circle touches or overlaps at the start. */
   public static final ExactTime ZERO = of(0);
 
+  /**
+   * The time at which the gap {@code c0 + 2 b t + a t^2} of a straight flight falls to 0, which it
+   * does: the lesser root {@code (-b - sqrt(b^2 - a c0)) / a}, or that of a linear one. It is 0 if
+   * the gap is not above 0 at the start.
+   */
+  public static ExactTime of(Polynomial gap) {
+    Dyadic c = gap.at(0);
+    Dyadic b = gap.at(1).half();
+    Dyadic a = gap.at(2);
+    if (c.sign() <= 0) {
+      return ZERO;
+    }
+    return a.sign() == 0
+        ? new ExactTime(c, Dyadic.ZERO, gap.at(1).negate())
+        : new ExactTime(b.negate(), b.square().minus(a.times(c)), a);
+  }
+
   /** The value of a finite double. */
   public static ExactTime of(double t) {
     return new ExactTime(Dyadic.of(t), Dyadic.ZERO, Dyadic.of(1));
@@ -26,7 +43,7 @@ public record ExactTime(Dyadic p, Dyadic q, Dyadic d) {
    * q) / ((p + sqrt(q)) d)}, in which all terms are positive.
    */
   public double nearest() {
-    PrecisionCounters.exactTime();
+    PrecisionCounter.EXACT_TIMES.add();
     Dyadic t =
         q.sign() == 0
             ? p.over(d, BITS)
@@ -64,7 +81,8 @@ public record ExactTime(Dyadic p, Dyadic q, Dyadic d) {
    * once more.
    */
   public int compare(ExactTime that) {
-    PrecisionCounters.exactDecision();
+    PrecisionCounter.DOUBTFUL_DECISIONS.add();
+    PrecisionCounter.EXACT_DECISIONS.add();
     Dyadic x = p.times(that.d).minus(that.p.times(d));
     Dyadic a = q.times(that.d.square());
     Dyadic b = that.q.times(d.square());

@@ -334,7 +334,7 @@ public final class Polynomial implements Ring<Polynomial> {
     return new Polynomial(reduced);
   }
 
-  private Dyadic at(int i) {
+  Dyadic at(int i) {
     return i < c.length ? c[i] : Dyadic.ZERO;
   }
 }

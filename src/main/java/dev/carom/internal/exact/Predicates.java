@@ -157,7 +157,7 @@ public final class Predicates {
 
   /** The signs in double-double, for a decision that plain doubles leave open. */
   private static ExactSigns<BoundedNumber> bounded() {
-    PrecisionCounters.doubt();
+    PrecisionCounter.DOUBTFUL_DECISIONS.add();
     return BoundedNumber.signs();
   }
 
@@ -167,7 +167,7 @@ public final class Predicates {
     if (sign != UNDECIDED) {
       return sign;
     }
-    PrecisionCounters.exactNumbers();
+    PrecisionCounter.EXACT_DECISIONS.add();
     return predicate.applyAsInt(ExactSigns.NUMBERS);
   }
 }

@@ -187,7 +187,7 @@ public final class RealRoot {
     while (!isExact() && errorExponent(x, y) > -BITS) {
       halve();
     }
-    return Exact.unit(x.value(low), y.value(low));
+    return UnitVector.of(x.value(low), y.value(low));
   }
 
   /** The k with an error of x(low) and y(low) below 2^k of the greater one. */

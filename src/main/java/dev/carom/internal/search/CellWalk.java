@@ -3,7 +3,7 @@ package dev.carom.internal.search;
 
 import static dev.carom.internal.exact.Fma.fma;
 
-import dev.carom.internal.exact.PrecisionCounters;
+import dev.carom.internal.exact.PrecisionCounter;
 import dev.carom.internal.state.CodeSet;
 import dev.carom.internal.state.LiveCodes;
 import dev.carom.internal.state.MovingCircle;
@@ -303,8 +303,8 @@ abstract class CellWalk extends FirstImpact {
   }
 
   private static void count(long pair) {
-    if (PrecisionCounters.COUNT != null && pair != 0) {
-      PrecisionCounters.COUNT.pairTests += CellList.first(pair) == CellList.second(pair) ? 1 : 2;
+    if (PrecisionCounter.IS_COUNTING && pair != 0) {
+      PrecisionCounter.PAIR_TESTS.add(CellList.first(pair) == CellList.second(pair) ? 1 : 2);
     }
   }
 }

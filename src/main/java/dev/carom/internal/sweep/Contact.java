@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 package dev.carom.internal.sweep;
 
+import dev.carom.internal.exact.Gaps;
 import dev.carom.internal.util.Part;
 
 /**
@@ -38,11 +39,21 @@ public final class Contact {
     Part.CIRCLE, Part.SIDE, Part.SIDE, Part.START, Part.END, Part.CIRCLE
   };
 
+  /** The region of {@link Gaps} in which a disk is, by the contact without {@link #NOW}. */
+  private static final int[] REGIONS = {
+    Gaps.BEFORE, Gaps.BESIDE, Gaps.BESIDE, Gaps.BEFORE, Gaps.BEYOND, Gaps.BEFORE
+  };
+
   private Contact() {}
 
   /** The part of a line that is hit, {@link #LEFT} to {@link #END}; 0 or LATER on a disk. */
   public static int withoutTime(int contact) {
     return contact & ~NOW;
+  }
+
+  /** The region of {@link Gaps} in which the centre of a disk is at a contact. */
+  public static int region(int contact) {
+    return REGIONS[withoutTime(contact)];
   }
 
   /** The {@link Part} of a line or a disk that a contact stands for. */

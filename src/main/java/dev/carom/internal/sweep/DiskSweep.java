@@ -6,9 +6,9 @@ import static dev.carom.internal.exact.DoubleDouble.productTail;
 import static dev.carom.internal.exact.DoubleDouble.sumTail;
 import static dev.carom.internal.exact.Fma.fma;
 
-import dev.carom.internal.exact.Exact;
 import dev.carom.internal.exact.Predicates;
-import dev.carom.internal.exact.PrecisionCounters;
+import dev.carom.internal.exact.PrecisionCounter;
+import dev.carom.internal.exact.RealRoot;
 import dev.carom.internal.exact.UnitVector;
 
 /**
@@ -74,7 +74,7 @@ public final class DiskSweep {
     double c = residue(x1, y1, r1, vx1, vy1, x2, y2, r2, vx2, vy2, t) * half;
     double error = TimeOfImpact.stepError(w, a, half, TimeOfImpact.firstLean(a, w, half), c);
     double time = TimeOfImpact.rounded(t, c, error);
-    PrecisionCounters.root();
+    PrecisionCounter.ROOTS.add();
     if (time < T) {
       return time;
     }
@@ -89,9 +89,18 @@ public final class DiskSweep {
       double vx2, double vy2, double T, double t) {
     double time =
         SphereSweep.refined(x1, y1, 0, r1, vx1, vy1, 0, x2, y2, 0, r2, vx2, vy2, 0, T, t);
-    return Double.isNaN(time)
-        ? Exact.Disks.of(x1, y1, r1, vx1, vy1, x2, y2, r2, vx2, vy2).time().upTo(T)
-        : time;
+    if (!Double.isNaN(time)) {
+      return time;
+    }
+    Fall fall = fall(x1, y1, r1, vx1, vy1, x2, y2, r2, vx2, vy2);
+    return FallSweep.exactTime(fall, Contact.LATER).upTo(T);
+  }
+
+  /** The question for exact numbers. */
+  private static Fall fall(
+      double x1, double y1, double r1, double vx1, double vy1, double x2, double y2, double r2,
+      double vx2, double vy2) {
+    return new Fall().flight(x1, y1, r1, vx1, vy1, 0, 0).disk(x2, y2, r2, vx2, vy2);
   }
 
   /** {@code f(t) = e.e - r^2} at {@code e = d + u t}. Cancelling terms have head and tail. */
@@ -128,8 +137,10 @@ public final class DiskSweep {
     }
     double c = t == 0 ? Double.NaN : correction(x1, y1, r1, vx1, vy1, x2, y2, r2, vx2, vy2, t);
     if (Double.isNaN(c)) {
-      PrecisionCounters.exactNormal();
-      return out.set(Exact.Disks.of(x1, y1, r1, vx1, vy1, x2, y2, r2, vx2, vy2).normal());
+      PrecisionCounter.EXACT_NORMALS.add();
+      Fall fall = fall(x1, y1, r1, vx1, vy1, x2, y2, r2, vx2, vy2);
+      RealRoot time = RealRoot.of(FallSweep.exactTime(fall, Contact.LATER));
+      return out.set(FallSweep.exact(fall).normal(time));
     }
     return UnitVectors.unit(
         out, offset(x1, x2, vx1, vx2, t, c), offset(y1, y2, vy1, vy2, t, c), 0, 0);

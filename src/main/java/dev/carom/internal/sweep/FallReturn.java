@@ -9,7 +9,7 @@ import dev.carom.internal.exact.ExactReturn;
 import dev.carom.internal.exact.GapPolynomial;
 import dev.carom.internal.exact.Gaps;
 import dev.carom.internal.exact.Polynomial;
-import dev.carom.internal.exact.PrecisionCounters;
+import dev.carom.internal.exact.PrecisionCounter;
 import dev.carom.internal.exact.Predicates;
 import dev.carom.internal.exact.RealRoot;
 
@@ -82,16 +82,18 @@ public final class FallReturn {
     if (f.isStraight()) {
       return NEVER;
     }
-    PrecisionCounters.parabola();
+    PrecisionCounter.PARABOLAS.add();
     int region = region(f);
     double time =
         region == Gaps.BESIDE ? fromSide(f, T) : FallSweep.searched(f, GapSearch.RETURN, region, T);
     return Double.isNaN(time) ? exact(f).time(T) : time;
   }
 
-  private static ExactReturn exact(Fall f) {
-    Gaps<Polynomial> gaps = f.gaps(Polynomial.EXACT);
-    return f.isLine ? ExactReturn.toLine(gaps) : ExactReturn.toDisk(gaps);
+  /** The question in algebraic numbers. */
+  static ExactReturn exact(Fall f) {
+    int region = region(f);
+    int side = region == Gaps.BESIDE ? side(f) : 0;
+    return new ExactReturn(f.gaps(Polynomial.EXACT), f.isLine, region, side);
   }
 
   /** The region in which the disk touches the obstacle. */

@@ -1,12 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
 package dev.carom.internal.sweep;
 
-import dev.carom.internal.exact.Exact;
 import dev.carom.internal.exact.ExactParabola;
 import dev.carom.internal.exact.ExactTime;
 import dev.carom.internal.exact.Gaps;
 import dev.carom.internal.exact.Polynomial;
-import dev.carom.internal.exact.PrecisionCounters;
+import dev.carom.internal.exact.PrecisionCounter;
 import dev.carom.internal.exact.RealRoot;
 import dev.carom.internal.exact.UnitVector;
 
@@ -45,7 +44,7 @@ public final class FallSweep {
     if (f.isStraight()) {
       return straightTime(f, straightContact(f), T);
     }
-    PrecisionCounters.parabola();
+    PrecisionCounter.PARABOLAS.add();
     double time = DirectHit.time(f, about, T < NEVER ? T : reach(f));
     if (Double.isNaN(time)) {
       time = searched(f, GapSearch.FIRST, 0, T);
@@ -68,7 +67,7 @@ public final class FallSweep {
       double t = (contact & Contact.NOW) != 0 ? NEVER : straightTime(f, contact, T);
       return t > s ? t : NEVER;
     }
-    PrecisionCounters.parabola();
+    PrecisionCounter.PARABOLAS.add();
     double time = DirectHit.time(f, NEVER, T);
     if (time > s) {
       return time; // the first contact of all, from outside
@@ -94,15 +93,7 @@ public final class FallSweep {
 
   /** The exact time of such a contact that is no MISS. */
   public static ExactTime exactTime(Fall f, int contact) {
-    if ((contact & Contact.NOW) != 0) {
-      return ExactTime.ZERO;
-    }
-    if (contact == Contact.LEFT || contact == Contact.RIGHT) {
-      return Exact.timeOfSide(f.px, f.py, f.r, f.vx, f.vy, f.ax, f.ay, f.bx, f.by, f.ux, f.uy);
-    }
-    double qx = contact == Contact.END ? f.bx : f.ax;
-    double qy = contact == Contact.END ? f.by : f.ay;
-    return Exact.Disks.of(f.px, f.py, f.r, f.vx, f.vy, qx, qy, f.radius, f.ux, f.uy).time();
+    return ExactTime.of(f.gaps(Polynomial.EXACT).gap(Contact.region(contact)));
   }
 
   /**
@@ -205,7 +196,6 @@ public final class FallSweep {
 
   /** The question in algebraic numbers. */
   public static ExactParabola exact(Fall f) {
-    Gaps<Polynomial> gaps = f.gaps(Polynomial.EXACT);
-    return f.isLine ? ExactParabola.line(gaps) : ExactParabola.disk(gaps);
+    return ExactParabola.of(f.gaps(Polynomial.EXACT), f.isLine);
   }
 }

@@ -4,7 +4,7 @@ package dev.carom.internal.sweep;
 import static dev.carom.internal.exact.Fma.fma;
 
 import dev.carom.internal.exact.ExactParabola;
-import dev.carom.internal.exact.PrecisionCounters;
+import dev.carom.internal.exact.PrecisionCounter;
 import dev.carom.internal.exact.Predicates;
 import dev.carom.internal.exact.RealRoot;
 import dev.carom.internal.exact.UnitVector;
@@ -124,7 +124,7 @@ public final class Hit {
    * the normal of the side.
    */
   private static UnitVector exactNormal(Fall f, double time) {
-    PrecisionCounters.exactNormal();
+    PrecisionCounter.EXACT_NORMALS.add();
     ExactParabola exact = FallSweep.exact(f);
     RealRoot t = exact.at(time);
     return f.isLine && f.r == 0 && exact.comesFromSide(t)

@@ -7,7 +7,7 @@ import dev.carom.internal.exact.ExactParabola;
 import dev.carom.internal.exact.GapPolynomial;
 import dev.carom.internal.exact.Numbers;
 import dev.carom.internal.exact.Polynomial;
-import dev.carom.internal.exact.PrecisionCounters;
+import dev.carom.internal.exact.PrecisionCounter;
 import dev.carom.internal.exact.Ring;
 
 /**
@@ -41,7 +41,7 @@ public final class ParabolaWallSweep {
     if (g == 0) {
       return v * inward < 0 ? WallSweep.time(p, r, v, wall, T) : NEVER;
     }
-    PrecisionCounters.parabola();
+    PrecisionCounter.PARABOLAS.add();
     double time = certain(p, r, v, g, wall, inward);
     // A rounded time of T itself may be that of a later one.
     if (time < T || time == 0) {
@@ -63,7 +63,7 @@ public final class ParabolaWallSweep {
     return ExactParabola.ofGap(gap(Polynomial.EXACT, p, r, v, g, wall, inward));
   }
 
-  private static <P extends Ring<P>> P gap(
+  static <P extends Ring<P>> P gap(
       Numbers<P> of, double p, double r, double v, double g, double wall, int inward) {
     return of.motion(inward * p, inward * wall, inward * v, 0, inward * g)
         .minus(of.difference(r, 0));

@@ -5,7 +5,7 @@ import static dev.carom.internal.exact.DoubleDouble.differenceTail;
 import static dev.carom.internal.exact.DoubleDouble.productTail;
 import static dev.carom.internal.exact.DoubleDouble.sumTail;
 
-import dev.carom.internal.exact.PrecisionCounters;
+import dev.carom.internal.exact.PrecisionCounter;
 
 /**
  * The time at which a moving disk meets a point at rest, such as an endpoint of a line. This is
@@ -33,7 +33,7 @@ public final class PointSweep {
       double px, double py, double r, double vx, double vy, double x, double y, double root) {
     double time = firstStep(px, py, r, vx, vy, x, y, root);
     if (time < NEVER) {
-      PrecisionCounters.root();
+      PrecisionCounter.ROOTS.add();
       return time;
     }
     return DiskSweep.time(Contact.LATER, px, py, r, vx, vy, x, y, 0, 0, 0, NEVER);

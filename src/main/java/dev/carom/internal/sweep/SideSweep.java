@@ -6,8 +6,8 @@ import static dev.carom.internal.exact.DoubleDouble.differenceTail;
 import static dev.carom.internal.exact.DoubleDouble.productTail;
 import static dev.carom.internal.exact.DoubleDouble.sumTail;
 
-import dev.carom.internal.exact.Exact;
-import dev.carom.internal.exact.PrecisionCounters;
+import dev.carom.internal.exact.ExactTime;
+import dev.carom.internal.exact.PrecisionCounter;
 
 /**
  * The time at which a moving disk hits the flat side of a line, once {@link SegmentSweep#contact}
@@ -49,7 +49,7 @@ public final class SideSweep {
         t > T
             || (t == T
                 && t < Double.POSITIVE_INFINITY
-                && Exact.timeOfSide(px, py, r, vx, vy, ax, ay, bx, by, ux, uy).isAfter(T));
+                && exact(side, px, py, r, vx, vy, ax, ay, bx, by, ux, uy).isAfter(T));
     return isLate ? Double.POSITIVE_INFINITY : t;
   }
 
@@ -80,7 +80,7 @@ public final class SideSweep {
             ? 0
             : side * (wx * differenceTail(vy, uy, sy) - wy * differenceTail(vx, ux, sx)) / speed;
     double t = rough;
-    PrecisionCounters.root();
+    PrecisionCounter.ROOTS.add();
     for (int i = 0; i < STEPS; i++) {
       double step =
           step(side, px, py, r, sx, sy, ax, ay, bx, by, t, scaledRadius, speed) + lag * t;
@@ -93,9 +93,16 @@ public final class SideSweep {
         return low;
       }
       t = Math.max(0, t + step);
-      PrecisionCounters.step();
+      PrecisionCounter.STEPS.add();
     }
-    return Exact.timeOfSide(px, py, r, vx, vy, ax, ay, bx, by, ux, uy).nearest();
+    return exact(side, px, py, r, vx, vy, ax, ay, bx, by, ux, uy).nearest();
+  }
+
+  private static ExactTime exact(
+      int side, double px, double py, double r, double vx, double vy, double ax, double ay,
+      double bx, double by, double ux, double uy) {
+    Fall fall = new Fall().flight(px, py, r, vx, vy, 0, 0).line(ax, ay, bx, by, ux, uy);
+    return FallSweep.exactTime(fall, side > 0 ? Contact.LEFT : Contact.RIGHT);
   }
 
   /**

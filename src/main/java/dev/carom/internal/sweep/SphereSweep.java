@@ -5,8 +5,10 @@ import static dev.carom.internal.exact.DoubleDouble.differenceTail;
 import static dev.carom.internal.exact.DoubleDouble.productTail;
 import static dev.carom.internal.exact.DoubleDouble.sumTail;
 
-import dev.carom.internal.exact.Exact;
-import dev.carom.internal.exact.PrecisionCounters;
+import dev.carom.internal.exact.Dyadic;
+import dev.carom.internal.exact.ExactTime;
+import dev.carom.internal.exact.Polynomial;
+import dev.carom.internal.exact.PrecisionCounter;
 
 /**
  * A sphere that moves against another that may move too: the {@link TimeOfImpact} of {@link
@@ -28,7 +30,7 @@ public final class SphereSweep {
     }
     double time = plain(x1, y1, z1, r1, vx1, vy1, vz1, x2, y2, z2, r2, vx2, vy2, vz2, T);
     return Double.isNaN(time)
-        ? exact(Exact.Disks.of(x1, y1, z1, r1, vx1, vy1, vz1, x2, y2, z2, r2, vx2, vy2, vz2), T)
+        ? exact(gap(x1, y1, z1, r1, vx1, vy1, vz1, x2, y2, z2, r2, vx2, vy2, vz2), r1 + r2 == 0, T)
         : time;
   }
 
@@ -47,9 +49,9 @@ public final class SphereSweep {
     return isAlike
             || Math.abs(b) > TimeOfImpact.dotBound(Math.abs(bx) + Math.abs(by) + Math.abs(bz))
         ? b
-        : Exact.Disks.of(x1, y1, z1, 0, vx1, vy1, vz1, x2, y2, z2, 0, vx2, vy2, vz2)
-            .drift()
-            .sign();
+        : gap(x1, y1, z1, 0, vx1, vy1, vz1, x2, y2, z2, 0, vx2, vy2, vz2)
+            .derivative()
+            .sign(Dyadic.ZERO);
   }
 
   /** The time of impact of spheres that approach each other; NaN where a bound leaves it open. */
@@ -85,7 +87,7 @@ public final class SphereSweep {
     if (discriminant < 0) {
       return NEVER;
     }
-    PrecisionCounters.root();
+    PrecisionCounter.ROOTS.add();
     double b = ux * dx + uy * dy + uz * dz;
     double t = g / (Math.sqrt(discriminant) - b);
     return refined(x1, y1, z1, r1, vx1, vy1, vz1, x2, y2, z2, r2, vx2, vy2, vz2, T, t);
@@ -110,7 +112,7 @@ public final class SphereSweep {
     double terms = Math.abs(ux * dx) + Math.abs(uy * dy) + Math.abs(uz * dz);
     double t = start;
     for (int i = 0; i < TimeOfImpact.STEPS && t > 0; i++) {
-      PrecisionCounters.step();
+      PrecisionCounter.STEPS.add();
       double half = -0.5 / (b + a * t);
       double c = residue(x1, y1, z1, r1, vx1, vy1, vz1, x2, y2, z2, r2, vx2, vy2, vz2, t) * half;
       double lean = TimeOfImpact.lean(half, terms + a * t, t);
@@ -124,13 +126,25 @@ public final class SphereSweep {
     return Double.NaN;
   }
 
+  /** {@code e.e - r^2} at {@code e = d + u t}, in exact numbers. */
+  private static Polynomial gap(
+      double x1, double y1, double z1, double r1, double vx1, double vy1, double vz1, double x2,
+      double y2, double z2, double r2, double vx2, double vy2, double vz2) {
+    Polynomial x = Polynomial.EXACT.motion(x1, x2, vx1, vx2, 0);
+    Polynomial y = Polynomial.EXACT.motion(y1, y2, vy1, vy2, 0);
+    Polynomial z = Polynomial.EXACT.motion(z1, z2, vz1, vz2, 0);
+    Polynomial r = Polynomial.EXACT.difference(r1, -r2);
+    return x.times(x).plus(y.times(y)).plus(z.times(z)).minus(r.times(r));
+  }
+
   /** The same in exact numbers. */
-  private static double exact(Exact.Disks spheres, double T) {
-    if (spheres.gap().sign() <= 0) {
+  private static double exact(Polynomial gap, boolean isPoint, double T) {
+    if (gap.sign(Dyadic.ZERO) <= 0) {
       return 0;
     }
-    int sign = spheres.discriminant().sign();
-    return sign > 0 || (sign == 0 && spheres.r().sign() == 0) ? spheres.time().upTo(T) : NEVER;
+    ExactTime time = ExactTime.of(gap);
+    int discriminant = time.q().sign();
+    return discriminant > 0 || (discriminant == 0 && isPoint) ? time.upTo(T) : NEVER;
   }
 
   /** Whether the distance of the centres is less than r1 + r2. */
@@ -144,7 +158,7 @@ public final class SphereSweep {
     double g = dd - r * r;
     return Math.abs(g) > TimeOfImpact.gapBound(dd + r * r)
         ? g < 0
-        : Exact.Disks.of(x1, y1, z1, r1, 0, 0, 0, x2, y2, z2, r2, 0, 0, 0).gap().sign() < 0;
+        : gap(x1, y1, z1, r1, 0, 0, 0, x2, y2, z2, r2, 0, 0, 0).sign(Dyadic.ZERO) < 0;
   }
 
   /** {@code f(t) = e.e - r^2} at {@code e = d + u t}. Cancelling terms have head and tail. */

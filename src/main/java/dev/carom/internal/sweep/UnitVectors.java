@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 package dev.carom.internal.sweep;
 
-import dev.carom.internal.exact.Exact;
+import dev.carom.internal.exact.Dyadic;
 import dev.carom.internal.exact.UnitVector;
 
 /** Signs, bounds of lengths, and unit vectors, each component within 1e-15 of the true one. */
@@ -36,7 +36,7 @@ public final class UnitVectors {
     double y = ay - by;
     double size = Math.max(Math.abs(x), Math.abs(y));
     if (!(size > LEAST_SAFE && size < MOST_SAFE)) {
-      return out.set(Exact.unit(ax, ay, bx, by));
+      return out.set(UnitVector.of(Dyadic.difference(ax, bx), Dyadic.difference(ay, by)));
     }
     double length = Math.sqrt(x * x + y * y);
     return out.set(x / length + 0.0, y / length + 0.0);

@@ -4,8 +4,8 @@ package dev.carom.internal.sweep;
 import static dev.carom.internal.exact.DoubleDouble.differenceTail;
 import static dev.carom.internal.exact.Fma.fma;
 
-import dev.carom.internal.exact.Exact;
 import dev.carom.internal.exact.ExactTime;
+import dev.carom.internal.exact.Polynomial;
 
 /**
  * A disk that moves against a wall, on one axis: from above ({@code v < 0}) against everything at
@@ -65,7 +65,7 @@ public final class WallSweep {
         && h < MOST_SAFE) {
       return low;
     }
-    return Exact.timeOfWall(p, r, v, wall).nearest();
+    return exactTime(p, r, v, wall).nearest();
   }
 
   /** The same within a window: {@code +infinity} if it is later than the window's end T. */
@@ -76,8 +76,8 @@ public final class WallSweep {
 
   /** The exact time of impact of a disk that moves towards a wall. */
   public static ExactTime exactTime(double p, double r, double v, double wall) {
-    ExactTime time = Exact.timeOfWall(p, r, v, wall);
-    return time.p().sign() > 0 ? time : ExactTime.ZERO;
+    int inward = v < 0 ? 1 : -1;
+    return ExactTime.of(ParabolaWallSweep.gap(Polynomial.EXACT, p, r, v, 0, wall, inward));
   }
 
   /** Whether the true time of impact is later than its rounding t. */

@@ -50,14 +50,13 @@ class PrecisionCountersTest {
       long doubtful, long exact, long roots, long steps, long times, long normals) {
 
     static Counts now() {
-      PrecisionCounters count = PrecisionCounters.COUNT;
       return new Counts(
-          count.doubtfulDecisions,
-          count.exactDecisions,
-          count.roots,
-          count.steps,
-          count.exactTimes,
-          count.exactNormals);
+          PrecisionCounter.DOUBTFUL_DECISIONS.count(),
+          PrecisionCounter.EXACT_DECISIONS.count(),
+          PrecisionCounter.ROOTS.count(),
+          PrecisionCounter.STEPS.count(),
+          PrecisionCounter.EXACT_TIMES.count(),
+          PrecisionCounter.EXACT_NORMALS.count());
     }
 
     static Counts of(Draw draw, Consumer<Draw> question) {
@@ -127,10 +126,10 @@ class PrecisionCountersTest {
   @CsvSource({"base-1.csv, 13992", "fast-1.csv, 151930", "radii.csv, 13792"})
   void theGridLeavesFewPairsToLookAt(String scene, long pairs) {
     World world = new World(TestScenes.read(scene));
-    long before = PrecisionCounters.COUNT.pairTests;
+    long before = PrecisionCounter.PAIR_TESTS.count();
     for (int frame = 0; frame < 600; frame++) {
       Run.step(world, 1);
     }
-    assertThat(PrecisionCounters.COUNT.pairTests - before).isBetween(1L, pairs + pairs / 5);
+    assertThat(PrecisionCounter.PAIR_TESTS.count() - before).isBetween(1L, pairs + pairs / 5);
   }
 }

@@ -4,7 +4,6 @@ package dev.carom.internal.sweep;
 import static org.assertj.core.api.Assertions.assertThat;
 
 import dev.carom.internal.exact.ExactParabola;
-import dev.carom.internal.exact.ExactReturn;
 import dev.carom.internal.exact.Polynomial;
 import java.util.SplittableRandom;
 import org.junit.jupiter.api.Test;
@@ -165,9 +164,7 @@ class ParabolaReturnTest {
       double disk = Falls.returnToDisk(n[0], n[1], n[2], n[3], gx, n[5], n[6], n[7], 0, 0, T);
       assertThat(disk)
           .isEqualTo(
-              ExactReturn.toDisk(
-                      Falls.disk(n[0], n[1], 0, n[2], n[3], gx, n[5], n[6], n[7], 0, 0, 0)
-                          .gaps(Polynomial.EXACT))
+              FallReturn.exact(Falls.disk(n[0], n[1], 0, n[2], n[3], gx, n[5], n[6], n[7], 0, 0, 0))
                   .time(T));
       double side = Falls.returnToSide(1, n[2], n[3], gx, n[5], n[0], n[1], n[6], n[7], 0, 0, T);
       assertThat(side)

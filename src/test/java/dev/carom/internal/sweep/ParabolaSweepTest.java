@@ -5,7 +5,7 @@ import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.within;
 
 import dev.carom.SweptCircle;
-import dev.carom.internal.exact.PrecisionCounters;
+import dev.carom.internal.exact.PrecisionCounter;
 import dev.carom.internal.exact.UnitVector;
 import dev.carom.oracle.Draw;
 import dev.carom.oracle.PairQuery;
@@ -173,7 +173,7 @@ class ParabolaSweepTest {
 
   @Test
   void ordinaryQuestionsAboutDisksNeedNoExactNumbers() {
-    long before = PrecisionCounters.COUNT.exactParabolas;
+    long before = PrecisionCounter.EXACT_PARABOLAS.count();
     int hits = 0;
     for (int i = 0; i < QUERIES; i++) {
       draw();
@@ -182,12 +182,12 @@ class ParabolaSweepTest {
       hits += time < NEVER ? 1 : 0;
     }
     assertThat(hits).isBetween(QUERIES / 5, 4 * QUERIES / 5);
-    assertThat(PrecisionCounters.COUNT.exactParabolas - before).isLessThanOrEqualTo(2);
+    assertThat(PrecisionCounter.EXACT_PARABOLAS.count() - before).isLessThanOrEqualTo(2);
   }
 
   @Test
   void ordinaryQuestionsAboutLinesNeedNoExactNumbers() {
-    long before = PrecisionCounters.COUNT.exactParabolas;
+    long before = PrecisionCounter.EXACT_PARABOLAS.count();
     int hits = 0;
     for (int i = 0; i < QUERIES; i++) {
       draw();
@@ -205,7 +205,7 @@ class ParabolaSweepTest {
       }
     }
     assertThat(hits).isBetween(QUERIES / 5, 4 * QUERIES / 5);
-    assertThat(PrecisionCounters.COUNT.exactParabolas - before).isLessThanOrEqualTo(2);
+    assertThat(PrecisionCounter.EXACT_PARABOLAS.count() - before).isLessThanOrEqualTo(2);
   }
 
   /**
@@ -232,7 +232,7 @@ class ParabolaSweepTest {
    * Asks for returns with a speed along the normal in a range; some hit, and exact numbers rest.
    */
   private void assertCertainReturns(boolean atEnd, double leastSpeed, double mostSpeed) {
-    long before = PrecisionCounters.COUNT.exactParabolas;
+    long before = PrecisionCounter.EXACT_PARABOLAS.count();
     int hits = 0;
     for (int i = 0; i < QUERIES; i++) {
       draw();
@@ -251,7 +251,7 @@ class ParabolaSweepTest {
       }
     }
     assertThat(hits).isBetween(QUERIES / 5, QUERIES);
-    assertThat(PrecisionCounters.COUNT.exactParabolas - before).isLessThanOrEqualTo(2);
+    assertThat(PrecisionCounter.EXACT_PARABOLAS.count() - before).isLessThanOrEqualTo(2);
   }
 
   @Test
@@ -269,7 +269,7 @@ class ParabolaSweepTest {
   /** A disk of half the size, or a line, that is passed; the next entry is asked for after each. */
   @Test
   void ordinaryEntriesNeedNoExactNumbers() {
-    long before = PrecisionCounters.COUNT.exactParabolas;
+    long before = PrecisionCounter.EXACT_PARABOLAS.count();
     int[] entries = new int[3];
     for (int i = 0; i < QUERIES; i++) {
       draw();
@@ -293,7 +293,7 @@ class ParabolaSweepTest {
     assertThat(entries[0]).isGreaterThan(QUERIES / 5);
     assertThat(entries[1]).isPositive();
     assertThat(entries[2]).isZero();
-    assertThat(PrecisionCounters.COUNT.exactParabolas - before).isLessThanOrEqualTo(2);
+    assertThat(PrecisionCounter.EXACT_PARABOLAS.count() - before).isLessThanOrEqualTo(2);
   }
 
   @Test
@@ -373,7 +373,7 @@ class ParabolaSweepTest {
 
   @Test
   void contactsWithLinesAtTheStartNeedNoExactNumbers() {
-    long before = PrecisionCounters.COUNT.exactParabolas;
+    long before = PrecisionCounter.EXACT_PARABOLAS.count();
     for (String contact : CONTACTS.lines().toList()) {
       double[] n = Arrays.stream(contact.split(" +")).mapToDouble(Double::parseDouble).toArray();
       double time =
@@ -381,12 +381,12 @@ class ParabolaSweepTest {
               n[0], n[1], n[2], n[3], n[4], 0, -10, n[5], n[6], n[7], n[8], 0, 0, n[9]);
       assertThat(time).isEqualTo(n[10]);
     }
-    assertThat(PrecisionCounters.COUNT.exactParabolas).isEqualTo(before);
+    assertThat(PrecisionCounter.EXACT_PARABOLAS.count()).isEqualTo(before);
   }
 
   @Test
   void contactsWithDisksAtTheStartNeedNoExactNumbers() {
-    long before = PrecisionCounters.COUNT.exactParabolas;
+    long before = PrecisionCounter.EXACT_PARABOLAS.count();
     // All but touching a peg, it comes nearer slowly, or fast.
     double slow =
         Falls.timeOfDisk(
@@ -404,7 +404,7 @@ class ParabolaSweepTest {
             3.9505440914875583, 33.398469857360446, 3.3650186085693945, 0.20842371307317462, 0,
             -10, 4, 32.6, 0, 0, NEVER);
     assertThat(back).isEqualTo(NEVER);
-    assertThat(PrecisionCounters.COUNT.exactParabolas).isEqualTo(before);
+    assertThat(PrecisionCounter.EXACT_PARABOLAS.count()).isEqualTo(before);
   }
 
   /** Prints how many questions of each family exact numbers answered. */
@@ -414,14 +414,14 @@ class ParabolaSweepTest {
     long exactUniform = 0;
     long exactGraze = 0;
     for (ParabolaFamily family : ParabolaFamilies.all()) {
-      long asked = PrecisionCounters.COUNT.parabolas;
-      long exact = PrecisionCounters.COUNT.exactParabolas;
+      long asked = PrecisionCounter.PARABOLAS.count();
+      long exact = PrecisionCounter.EXACT_PARABOLAS.count();
       Draw draw = new Draw(family.name().hashCode());
       for (int i = 0; i < 50; i++) {
         ask(family.next(draw));
       }
-      long questions = PrecisionCounters.COUNT.parabolas - asked;
-      long answers = PrecisionCounters.COUNT.exactParabolas - exact;
+      long questions = PrecisionCounter.PARABOLAS.count() - asked;
+      long answers = PrecisionCounter.EXACT_PARABOLAS.count() - exact;
       table.add(String.format(Locale.ROOT, "%-24s %6d %6d", family.name(), questions, answers));
       exactUniform += family.name().endsWith("uniform") ? answers : 0;
       exactGraze += family.name().equals("graze") ? answers : 0;
@@ -447,7 +447,7 @@ class ParabolaSweepTest {
   /** It falls past a disk or a point at exactly the distance at which it would graze it. */
   @Test
   void fallsPastATangentNeedNoExactNumbers() {
-    long before = PrecisionCounters.COUNT.exactParabolas;
+    long before = PrecisionCounter.EXACT_PARABOLAS.count();
     for (int i = 0; i < QUERIES; i++) {
       double y = random.nextDouble(2, 10);
       double vy = random.nextDouble(-5, 5);
@@ -458,7 +458,7 @@ class ParabolaSweepTest {
       assertThat(Falls.timeOfDisk(y, aside, 1, vy, 3, -10, 0, 0, 0, 0, 0, 3, NEVER))
           .isEqualTo(NEVER);
     }
-    assertThat(PrecisionCounters.COUNT.exactParabolas).isEqualTo(before);
+    assertThat(PrecisionCounter.EXACT_PARABOLAS.count()).isEqualTo(before);
   }
 
   /** What would be a graze for a disk is a hit for a point: it passes through the other. */

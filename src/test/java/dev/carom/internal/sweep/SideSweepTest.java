@@ -5,7 +5,6 @@ import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.within;
 
 import dev.carom.SweptCircle;
-import dev.carom.internal.exact.Exact;
 import java.util.SplittableRandom;
 import java.util.stream.Stream;
 import org.junit.jupiter.api.Test;
@@ -82,7 +81,8 @@ class SideSweepTest {
   void theRadiusOfAPointButForRounding(
       String px, String py, String r, String vx, String vy, String bx, String by) {
     double[] n = Stream.of(px, py, r, vx, vy, bx, by).mapToDouble(Double::parseDouble).toArray();
-    double time = Exact.timeOfSide(n[0], n[1], n[2], n[3], n[4], 0, 0, n[5], n[6], 0, 0).nearest();
+    Fall fall = Falls.line(n[0], n[1], n[2], n[3], n[4], 0, 0, 0, 0, n[5], n[6], 0, 0);
+    double time = FallSweep.exactTime(fall, Contact.LEFT).nearest();
     assertThat(SweptCircle.line(n[0], n[1], n[2], n[3], n[4], 0, 0, n[5], n[6], 1e9))
         .isEqualTo(time);
     assertThat(SweptCircle.movingLine(n[0], n[1], n[2], 0, 0, 0, 0, n[5], n[6], -n[3], -n[4], 1e9))
@@ -100,7 +100,8 @@ class SideSweepTest {
   })
   void squaresThatUnderflowAreNotTrusted(
       double py, double r, double vy, double ax, double ay, double bx, double by) {
-    double time = Exact.timeOfSide(0, py, r, 0, vy, ax, ay, bx, by, 0, 0).nearest();
+    Fall fall = Falls.line(0, py, r, 0, vy, 0, 0, ax, ay, bx, by, 0, 0);
+    double time = FallSweep.exactTime(fall, Contact.LEFT).nearest();
     assertThat(time).isCloseTo(1.7, within(1e-15));
     assertThat(SweptCircle.line(0, py, r, 0, vy, ax, ay, bx, by, 9)).isEqualTo(time);
     assertThat(SweptCircle.line(0, py, r, 0, vy, ax, ay, bx, by, 1.71)).isEqualTo(time);

@@ -4,7 +4,7 @@ package dev.carom.internal.sweep;
 import static org.assertj.core.api.Assertions.assertThat;
 
 import dev.carom.SweptSphere;
-import dev.carom.internal.exact.Exact;
+import dev.carom.internal.exact.Dyadic;
 import java.util.Arrays;
 import java.util.Random;
 import org.junit.jupiter.api.Test;
@@ -48,13 +48,14 @@ class SphereSweepTest {
           SweptSphere.pair(
               n[0], n[1], n[2], n[3], n[4], n[5], n[6], n[7], n[8], n[9], n[10], n[11], n[12],
               n[13], 1);
-      Exact.Disks exact =
-          Exact.Disks.of(
-              n[0], n[1], n[2], n[3], n[4], n[5], n[6], n[7], n[8], n[9], n[10], n[11], n[12],
-              n[13]);
+      Dyadic drift = Dyadic.ZERO;
+      for (int axis = 0; axis < 3; axis++) {
+        Dyadic offset = Dyadic.difference(n[axis], n[7 + axis]);
+        drift = drift.plus(offset.times(Dyadic.difference(n[4 + axis], n[11 + axis])));
+      }
       assertThat(time)
           .as(() -> Arrays.toString(n))
-          .isEqualTo(exact.drift().sign() < 0 ? 0 : Double.POSITIVE_INFINITY);
+          .isEqualTo(drift.sign() < 0 ? 0 : Double.POSITIVE_INFINITY);
     }
   }
 }
