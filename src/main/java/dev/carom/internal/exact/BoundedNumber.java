@@ -7,15 +7,18 @@ import static dev.carom.internal.exact.DoubleDouble.sumTail;
 import static dev.carom.internal.exact.Fma.fma;
 
 /**
- * A number in double-double with a bound of its error: the sum of the absolute values of the terms
- * that made it, before anything cancels.
+ * A number of about 106 bits, in double-double: the head is the double nearest to it, the tail the
+ * rest. It has a bound of its error: the sum of the absolute values of the terms that made it,
+ * before anything cancels.
  *
  * <p>A difference of two doubles has no error. In units of u^2 of the terms, with {@code u =
- * 2^-53}, a sum errs by 4 more than its summands, a product by 5 more than both factors together
- * ({@link DoubleDoubleNumber}). So {@link ExactSigns#cross} has 9, the gap 9 + 4, the discriminant
- * 9 + 5 + 5 and 9 + 9 + 5 + 4 = 27, and the corner {@code 2 x (9 + 5) + 5 + 9 + 5 + 4 = 51}.
+ * 2^-53}, a sum errs by 4 more than its summands, a product by 5 more than both factors together:
+ * M. Joldes, J.-M. Muller and V. Popescu, Tight and rigorous error bounds for basic building blocks
+ * of double-word arithmetic, ACM Transactions on Mathematical Software 44 (2017). So {@link
+ * ExactSigns#cross} has 9, the gap 9 + 4, the discriminant 9 + 5 + 5 and 9 + 9 + 5 + 4 = 27, and
+ * the corner {@code 2 x (9 + 5) + 5 + 9 + 5 + 4 = 51}.
  *
- * <p>Each thread has some numbers, which the next sign uses again: nothing is allocated.
+ * <p>For signs each thread has some numbers, which the next sign uses again: nothing is allocated.
  */
 public final class BoundedNumber implements Ring<BoundedNumber> {
 
@@ -30,13 +33,33 @@ public final class BoundedNumber implements Ring<BoundedNumber> {
 
   private static final ThreadLocal<Signs> OF_THREAD = ThreadLocal.withInitial(Signs::new);
 
+  /** The numbers that are used again; null for a number that is allocated, as are its results. */
   private final Signs signs;
+
   private double head;
   private double tail;
   private double terms;
 
   private BoundedNumber(Signs signs) {
     this.signs = signs;
+  }
+
+  /** The sum of a double and a much smaller one. */
+  static BoundedNumber of(double head, double tail) {
+    return new BoundedNumber(null).set(head, tail, Math.abs(head));
+  }
+
+  double head() {
+    return head;
+  }
+
+  double tail() {
+    return tail;
+  }
+
+  /** The sum of the absolute values of the terms; NaN if something may have underflowed. */
+  double terms() {
+    return terms;
   }
 
   /** The signs in these numbers, for the next question of this thread. */
@@ -59,21 +82,24 @@ public final class BoundedNumber implements Ring<BoundedNumber> {
     @Override
     BoundedNumber difference(double a, double b) {
       double d = a - b;
-      return next(d, differenceTail(a, b, d), Math.abs(d));
+      return numbers[used++].set(d, differenceTail(a, b, d), Math.abs(d));
     }
 
     @Override
     int sign(BoundedNumber value) {
       return value.sign();
     }
+  }
 
-    private BoundedNumber next(double head, double tail, double terms) {
-      BoundedNumber next = numbers[used++];
-      next.head = head + tail;
-      next.tail = tail - (next.head - head);
-      next.terms = terms;
-      return next;
-    }
+  private BoundedNumber next() {
+    return signs == null ? new BoundedNumber(null) : signs.numbers[signs.used++];
+  }
+
+  private BoundedNumber set(double newHead, double newTail, double newTerms) {
+    head = newHead + newTail;
+    tail = newTail - (head - newHead);
+    terms = newTerms;
+    return this;
   }
 
   private int sign() {
@@ -99,7 +125,7 @@ public final class BoundedNumber implements Ring<BoundedNumber> {
     double rest = sumTail(head, other, sum) + tails;
     double near = sum + rest;
     rest = (rest - (near - sum)) + sumTail(tail, otherTail, tails);
-    return signs.next(near, rest, terms + that.terms);
+    return next().set(near, rest, terms + that.terms);
   }
 
   @Override
@@ -109,6 +135,6 @@ public final class BoundedNumber implements Ring<BoundedNumber> {
     double size = terms * that.terms;
     boolean isSafe = size >= LEAST_TERM || terms == 0 || that.terms == 0;
     double rest = productTail(head, that.head, product) + crossed;
-    return signs.next(product, rest, isSafe ? size : Double.NaN);
+    return next().set(product, rest, isSafe ? size : Double.NaN);
   }
 }

@@ -46,7 +46,8 @@ public final class DoubleDouble {
   /**
    * The tail of cross(a, b) = ax by - ay bx for c = fl(fl(ax by) - fl(ay bx)) and tails of at most
    * 2u of their heads. It leaves out products of two tails, 4 u^2 each, and rounds ten terms of at
-   * most 4u: the error is below 64 u^2 (|ax by| + |ay bx|).
+   * most 4u: the error is below 64 u^2 (|ax by| + |ay bx|). Vectors with tails as objects would have
+   * to be allocated.
    */
   public static double crossTail(
       double ax, double axl, double ay, double ayl, double bx, double bxl, double by, double byl,

@@ -4,7 +4,8 @@ package dev.carom.internal.exact;
 /**
  * The signs of the polynomials of {@link Predicates} in numbers of one kind: the equations stand
  * here once. Double-double numbers have a bound, and recognise no tie. Sums of doubles are without
- * rounding, as {@link Dyadic} numbers are, which have no limits.
+ * rounding, as {@link Dyadic} numbers are, which have no limits. The arguments are those of {@link
+ * Predicates}.
  */
 public abstract class ExactSigns<N extends Ring<N>> {
 

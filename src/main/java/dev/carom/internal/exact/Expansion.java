@@ -132,11 +132,11 @@ public final class Expansion implements Ring<Expansion> {
   }
 
   /** The value within 64 u^2 of itself: its head and that of the rest, each within 8 u. */
-  public DoubleDoubleNumber value() {
+  BoundedNumber value() {
     double head = head();
     Expansion rest = new Expansion();
     rest.parts = Arrays.copyOf(parts, count + 1);
     rest.count = count;
-    return DoubleDoubleNumber.of(head, rest.add(-head).head());
+    return BoundedNumber.of(head, rest.add(-head).head());
   }
 }

@@ -36,8 +36,8 @@ public final class GapPolynomial implements Ring<GapPolynomial> {
   /**
    * A Bernstein coefficient on an interval from low to high, of the terms at high, is {@code
    * PLACE_BOUND + n STEP_BOUND} for the degree n: the powers of low, those of the width and the
-   * conversion take 2 u each for a degree, of which one is the rounding of the width; a coefficient
-   * has 14 u; the terms are computed, too.
+   * conversion, a division and n sums, take 2 u each for a degree, of which one is the rounding of
+   * the width; a coefficient has 14 u; the terms are computed, too.
    */
   private static final double PLACE_BOUND = 16 * U;
 
@@ -58,9 +58,6 @@ public final class GapPolynomial implements Ring<GapPolynomial> {
    */
   private static final double TINY = 0x1p-1000;
 
-  /** The same for the tails of products. */
-  private static final double TINY_TAIL = 0x1p-960;
-
   /** The least size of terms that are not 0: its rounding is more than what underflows. */
   private static final double LEAST_SIZE = 0x1p-900;
 
@@ -72,27 +69,6 @@ public final class GapPolynomial implements Ring<GapPolynomial> {
 
   /** Doubles beside a time that are tried. */
   private static final int NEIGHBORS = 6;
-
-  /** {@code BERNSTEIN[n][j][i] = C(j, i) / C(n, i)}: what a term of degree i adds. */
-  private static final double[][][] BERNSTEIN = new double[MOST][][];
-
-  static {
-    double[][] binomial = new double[MOST][MOST];
-    for (int n = 0; n < MOST; n++) {
-      binomial[n][0] = 1;
-      for (int i = 1; i <= n; i++) {
-        binomial[n][i] = binomial[n - 1][i - 1] + binomial[n - 1][i];
-      }
-      BERNSTEIN[n] = new double[n + 1][n + 1];
-    }
-    for (int n = 0; n < MOST; n++) {
-      for (int j = 0; j <= n; j++) {
-        for (int i = 0; i <= j; i++) {
-          BERNSTEIN[n][j][i] = binomial[j][i] / binomial[n][i];
-        }
-      }
-    }
-  }
 
   /** Polynomials without rounding. */
   public static final Numbers<GapPolynomial> EXACT =
@@ -158,10 +134,9 @@ public final class GapPolynomial implements Ring<GapPolynomial> {
   private boolean isSafe = true;
 
   // Found when they are first asked for.
-  private DoubleDoubleNumber[] values;
+  private BoundedNumber[] values;
   private GapPolynomial derivative;
   private final double[] bernstein;
-  private final double[] shifted;
 
   /** Whether the last question for a sign found no Bernstein coefficient above its bound. */
   private boolean isLost;
@@ -176,7 +151,6 @@ public final class GapPolynomial implements Ring<GapPolynomial> {
     c = new double[capacity];
     size = new double[capacity];
     bernstein = new double[capacity];
-    shifted = new double[capacity];
   }
 
   public static GapPolynomial exact(Expansion... coefficients) {
@@ -348,7 +322,7 @@ public final class GapPolynomial implements Ring<GapPolynomial> {
     if (exact == null || values != null) {
       return;
     }
-    values = new DoubleDoubleNumber[length];
+    values = new BoundedNumber[length];
     for (int i = 0; i < length; i++) {
       isSafe &= exact[i].isExact();
       values[i] = exact[i].value();
@@ -402,29 +376,32 @@ public final class GapPolynomial implements Ring<GapPolynomial> {
     return isLost;
   }
 
-  /** Computes the Bernstein coefficients on an interval. Returns a bound of their errors. */
+  /**
+   * Computes the Bernstein coefficients on an interval: with {@code f(low + width x) = sum a[i]
+   * x^i} they are {@code b[j] = sum C(j, i) a[i] / C(n, i)}. Returns a bound of their errors.
+   */
   private double bernstein(double low, double high) {
     int n = length - 1;
     double width = high - low;
-    double[] a = shifted;
+    double[] a = bernstein;
     System.arraycopy(c, 0, a, 0, length);
-    // f(low + width x) = sum a[i] x^i
     for (int i = 0; i < n && low != 0; i++) {
       for (int j = n - 1; j >= i; j--) {
         a[j] += a[j + 1] * low;
       }
     }
+    double binomial = 1; // C(n, i)
     for (int i = 1; i <= n; i++) {
       for (int j = i; j <= n; j++) {
         a[j] *= width;
       }
+      binomial = binomial * (n + 1 - i) / i;
+      a[i] /= binomial;
     }
-    for (int j = 0; j <= n; j++) {
-      double sum = 0;
-      for (int i = 0; i <= j; i++) {
-        sum += BERNSTEIN[n][j][i] * a[i];
+    for (int i = 1; i <= n; i++) {
+      for (int j = n; j >= i; j--) {
+        a[j] += a[j - 1];
       }
-      bernstein[j] = sum;
     }
     return bound(high);
   }
@@ -439,7 +416,8 @@ public final class GapPolynomial implements Ring<GapPolynomial> {
     if (sign != UNKNOWN || exact == null || !isSafe) {
       return sign;
     }
-    sign = certain(value(t, rest), VALUE_BOUND * terms(t) + TINY_TAIL * power(t));
+    BoundedNumber value = value(t, rest);
+    sign = certain(value.head(), VALUE_BOUND * value.terms());
     return sign != UNKNOWN ? sign : exactSign(t, rest);
   }
 
@@ -488,13 +466,13 @@ public final class GapPolynomial implements Ring<GapPolynomial> {
   }
 
   /** The value at {@code t + rest}, in double-double. */
-  private double value(double t, double rest) {
-    DoubleDoubleNumber time = DoubleDoubleNumber.of(t, rest);
-    DoubleDoubleNumber value = values[length - 1];
+  private BoundedNumber value(double t, double rest) {
+    BoundedNumber time = BoundedNumber.of(t, rest);
+    BoundedNumber value = values[length - 1];
     for (int i = length - 2; i >= 0; i--) {
       value = value.times(time).plus(values[i]);
     }
-    return value.head();
+    return value;
   }
 
   private double slope(double t) {
@@ -517,8 +495,8 @@ public final class GapPolynomial implements Ring<GapPolynomial> {
     if (exact == null) {
       return certain(value(t), rounding + width * slope);
     }
-    double bound = VALUE_BOUND * terms(t) + TINY_TAIL * power(t) + width * slope;
-    int sign = certain(value(t, 0), bound);
+    BoundedNumber value = value(t, 0);
+    int sign = certain(value.head(), VALUE_BOUND * value.terms() + width * slope);
     boolean isTie = sign == UNKNOWN && derivative().signAt(t, 0) == 0 && signAt(t, 0) == 0;
     return isTie ? 0 : sign;
   }
@@ -578,7 +556,7 @@ public final class GapPolynomial implements Ring<GapPolynomial> {
     double to = high;
     double t = 0.5 * (low + high);
     for (int i = 0; i < CORRECTIONS; i++) {
-      double value = before * (exact != null ? value(t, 0) : value(t));
+      double value = before * (exact != null ? value(t, 0).head() : value(t));
       if (value > 0) {
         from = t;
       } else {

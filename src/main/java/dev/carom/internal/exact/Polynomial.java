@@ -30,10 +30,6 @@ public final class Polynomial implements Ring<Polynomial> {
         }
       };
 
-  private static final double[][] BINOMIAL = {
-    {1}, {1, 1}, {1, 2, 1}, {1, 3, 3, 1}, {1, 4, 6, 4, 1}
-  };
-
   /** The coefficients from the constant one on; the last one is not 0. Empty for 0. */
   private final Dyadic[] c;
 
@@ -212,37 +208,36 @@ public final class Polynomial implements Ring<Polynomial> {
   }
 
   /**
-   * The signs of the Bernstein coefficients. With {@code f(low + (high - low) x) = sum a_i x^i},
-   * {@code C(n, j) b_j = sum C(n - i, j - i) a_i} over i from 0 to j.
+   * The signs of the Bernstein coefficients b. With {@code f(low + (high - low) x) = g(x)}, the
+   * polynomial {@code (1 + y)^n g(1 / (1 + y))} has the coefficients {@code C(n, k) b_(n - k)}.
    */
   private int[] bernsteinSigns(Dyadic low, Dyadic high) {
-    Dyadic[] a = shifted(low, high.minus(low));
-    int n = degree();
-    int[] signs = new int[n + 1];
-    for (int j = 0; j <= n; j++) {
-      Dyadic b = Dyadic.ZERO;
-      for (int i = 0; i <= j; i++) {
-        b = b.plus(a[i].times(Dyadic.of(BINOMIAL[n - i][j - i])));
-      }
-      signs[j] = b.sign();
-    }
-    return signs;
-  }
-
-  /** The coefficients of f(low + width x) in x. */
-  private Dyadic[] shifted(Dyadic low, Dyadic width) {
-    Dyadic[] a = c.clone();
-    for (int i = 0; i < a.length; i++) {
-      for (int j = a.length - 2; j >= i; j--) {
-        a[j] = a[j].plus(a[j + 1].times(low));
-      }
-    }
+    Dyadic[] g = shifted(c, low);
+    Dyadic width = high.minus(low);
     Dyadic power = width;
-    for (int i = 1; i < a.length; i++) {
-      a[i] = a[i].times(power);
+    for (int i = 1; i < g.length; i++) {
+      g[i] = g[i].times(power);
       power = power.times(width);
     }
+    Dyadic[] b = reversed(shifted(reversed(g), Dyadic.of(1)));
+    return Arrays.stream(b).mapToInt(Dyadic::sign).toArray();
+  }
+
+  /** The coefficients of f(x + by) in x, from those of f. */
+  private static Dyadic[] shifted(Dyadic[] f, Dyadic by) {
+    Dyadic[] a = f.clone();
+    for (int i = 0; i < a.length; i++) {
+      for (int j = a.length - 2; j >= i; j--) {
+        a[j] = a[j].plus(a[j + 1].times(by));
+      }
+    }
     return a;
+  }
+
+  private static Dyadic[] reversed(Dyadic[] a) {
+    Dyadic[] reversed = new Dyadic[a.length];
+    Arrays.setAll(reversed, i -> a[a.length - 1 - i]);
+    return reversed;
   }
 
   private static int first(int[] signs) {
@@ -277,11 +272,7 @@ public final class Polynomial implements Ring<Polynomial> {
 
   /** A k such that all roots are above 2^k in size; the constant term must not be 0. */
   private int leastExponent() {
-    Dyadic[] reversed = new Dyadic[c.length];
-    for (int i = 0; i < c.length; i++) {
-      reversed[i] = c[c.length - 1 - i];
-    }
-    return -new Polynomial(reversed).mostExponent();
+    return -new Polynomial(reversed(c)).mostExponent();
   }
 
   /** A positive multiple of the remainder of the division by that one. */

@@ -25,6 +25,8 @@ final class DirectHit {
 
   private static final double NEVER = Double.POSITIVE_INFINITY;
 
+  private static final double DOUBT = GapRoot.DOUBT;
+
   /**
    * The error of a product of a place and a speed, in units of its terms, if the time errs by
    * {@link GapRoot#MARGIN} of itself. In units of the margin, a place errs by twice its terms and a
@@ -48,58 +50,85 @@ final class DirectHit {
 
   private static final double NEAR = 0x1p-10;
 
-  private DirectHit() {}
+  private final Fall f;
+
+  /** The end of the window. */
+  private double windowEnd;
+
+  // A point q of the obstacle: an end of the line, or the centre of the disk. The offset d from it
+  // at the start, and the way e from it to the other end of the line; 0 of a disk.
+  private double qx;
+  private double qy;
+  private double dx;
+  private double dy;
+  private double ex;
+  private double ey;
+
+  DirectHit(Fall f) {
+    this.f = f;
+  }
 
   /**
    * The correctly rounded time, {@code +infinity} if it is above T; NaN where this does not tell.
    *
    * @param about a time near which the hit is expected; infinite or NaN for none
    */
-  static double time(Fall f, double about, double T) {
+  double time(double about, double end) {
+    windowEnd = end;
+    from(false);
     if (!f.isLine) {
-      double level = entry(f, -f.gy, f.gx); // the height of the disk is the first to be reached
-      return atEnd(f, f.ax, f.ay, 0, 0, level > 0 ? level : 0, T);
+      double level = entry(-f.gy, f.gx); // the height of the disk is the first to be reached
+      return atPoint(level > 0 ? level : 0);
     }
-    double t = about < NEVER ? about : entry(f, f.wx, f.wy);
+    double t = about < NEVER ? about : entry(ex, ey);
     // Straight on with the place and the velocity of that time, would the disk touch the start of
     // the line, its end, or the side between them? Products x |x| are squares that keep the sign.
-    double x = place(f.dx, f.sx, f.gx, t);
-    double y = place(f.dy, f.sy, f.gy, t);
+    double x = x(t);
+    double y = y(t);
     double speedX = f.sx + f.gx * t;
     double speedY = f.sy + f.gy * t;
     double start = x * speedY - y * speedX;
-    double end = (x - f.wx) * speedY - (y - f.wy) * speedX;
-    double along = f.r * (f.wx * speedX + f.wy * speedY);
-    double scale = Math.copySign(f.wx * f.wx + f.wy * f.wy, f.wy * speedX - f.wx * speedY);
+    double beyond = (x - ex) * speedY - (y - ey) * speedX;
+    double along = f.r * (ex * speedX + ey * speedY);
+    double scale = Math.copySign(ex * ex + ey * ey, ey * speedX - ex * speedY);
     double square = along * Math.abs(along);
-    boolean isStart = scale * (start * Math.abs(start)) + square > 0;
-    boolean isEnd = scale * (end * Math.abs(end)) + square < 0;
-    if (isStart) {
-      return atEnd(f, f.ax, f.ay, f.wx, f.wy, t, T);
+    if (scale * (start * Math.abs(start)) + square > 0) {
+      return atPoint(t);
     }
-    return isEnd ? atEnd(f, f.bx, f.by, -f.wx, -f.wy, t, T) : atSide(f, T);
+    return scale * (beyond * Math.abs(beyond)) + square < 0 ? from(true).atPoint(t) : atSide();
+  }
+
+  /** Looks from the start of the line, or from its end. */
+  private DirectHit from(boolean isEnd) {
+    qx = isEnd ? f.bx : f.ax;
+    qy = isEnd ? f.by : f.ay;
+    dx = f.px - qx;
+    dy = f.py - qy;
+    ex = isEnd ? -f.wx : f.wx;
+    ey = isEnd ? -f.wy : f.wy;
+    return this;
   }
 
   /** The time of a hit on the side. */
-  private static double atSide(Fall f, double T) {
-    double t = entry(f, f.wx, f.wy);
-    if (!(t < T)) {
-      return unlessMissed(f, f.dx, f.dy, f.wx, f.wy, T, T);
+  private double atSide() {
+    double t = entry(ex, ey);
+    if (!(t < windowEnd)) {
+      return unlessMissed(windowEnd);
     }
-    double side = Math.copySign(1, f.wx * f.dy - f.wy * f.dx);
-    double nx = -side * f.wy;
-    double ny = side * f.wx;
+    double side = Math.copySign(1, ex * dy - ey * dx);
+    double nx = -side * ey;
+    double ny = side * ex;
     if (!(f.r < MOST)
-        || !isInFront(f, nx, ny, f.dx, f.dy, t)
-        || !isApproach(f, nx, ny, Math.abs(nx), Math.abs(ny), 0, t)) {
-      return GapRoot.DOUBT;
+        || !isInFront(nx, ny, t)
+        || !isApproach(nx, ny, Math.abs(nx), Math.abs(ny), 0, t)) {
+      return DOUBT;
     }
     double time = GapRoot.beside(t, GapRoot.nearestSide(f, t));
     return switch (f.region(time)) {
-      case Gaps.BESIDE -> GapRoot.upTo(T, time);
-      case Gaps.BEFORE -> atEnd(f, f.ax, f.ay, f.wx, f.wy, t, T);
-      case Gaps.BEYOND -> atEnd(f, f.bx, f.by, -f.wx, -f.wy, t, T);
-      default -> GapRoot.DOUBT;
+      case Gaps.BESIDE -> GapRoot.upTo(windowEnd, time);
+      case Gaps.BEFORE -> atPoint(t);
+      case Gaps.BEYOND -> from(true).atPoint(t);
+      default -> DOUBT;
     };
   }
 
@@ -107,8 +136,8 @@ final class DirectHit {
    * About when the centre enters the strip along a line with the vector w through the obstacle; 0
    * if it starts there, NaN if it seems not to enter it.
    */
-  private static double entry(Fall f, double wx, double wy) {
-    double h0 = wx * f.dy - wy * f.dx;
+  private double entry(double wx, double wy) {
+    double h0 = wx * dy - wy * dx;
     double side = Math.copySign(1, h0);
     double gap = Math.abs(h0) - (f.r + f.radius) * Math.sqrt(wx * wx + wy * wy);
     if (gap <= 0) {
@@ -124,19 +153,15 @@ final class DirectHit {
   }
 
   /**
-   * Whether a centre is certain to be in front of a point at about the time t, as seen along a
-   * normal.
-   *
-   * @param nx the normal
-   * @param dx the offset from the point at the start
+   * Whether a centre is certain to be in front of the point q at about the time t, as seen along a
+   * normal n.
    */
-  private static boolean isInFront(
-      Fall f, double nx, double ny, double dx, double dy, double t) {
-    double height = nx * place(dx, f.sx, f.gx, t) + ny * place(dy, f.sy, f.gy, t);
+  private boolean isInFront(double nx, double ny, double t) {
+    double height = nx * x(t) + ny * y(t);
     double sizeX = Math.abs(nx);
     double sizeY = Math.abs(ny);
-    double terms = sizeX * Offset.size(dx, f.sx, f.gx, t) + sizeY * Offset.size(dy, f.sy, f.gy, t);
-    return height > fma(ROUGH_BOUND, terms, TINY) && t < MOST && sizeX + sizeY < MOST;
+    double bound = fma(ROUGH_BOUND, sizeX * sizeX(t) + sizeY * sizeY(t), TINY);
+    return height > bound && t < MOST && sizeX + sizeY < MOST;
   }
 
   /**
@@ -145,8 +170,8 @@ final class DirectHit {
    *
    * @param sizeX the terms of nx
    */
-  private static boolean isApproach(
-      Fall f, double nx, double ny, double sizeX, double sizeY, double from, double t) {
+  private boolean isApproach(
+      double nx, double ny, double sizeX, double sizeY, double from, double t) {
     double middle = 0.5 * (from + t);
     double mean = nx * (f.sx + f.gx * middle) + ny * (f.sy + f.gy * middle);
     double last = nx * (f.sx + f.gx * t) + ny * (f.sy + f.gy * t);
@@ -160,86 +185,72 @@ final class DirectHit {
    * The time of a hit on an end q of a line, or on a disk there. Each step goes to the first root of
    * the quadratic part of the gap, or to its least value if there is none.
    *
-   * @param ex the way from there to the other end; 0 of a disk
    * @param about a time near which it is expected
    */
-  private static double atEnd(
-      Fall f, double qx, double qy, double ex, double ey, double about, double T) {
-    double dx = f.px - qx;
-    double dy = f.py - qy;
+  private double atPoint(double about) {
+    double r = f.r + f.radius;
     double t = about;
     boolean touches = true;
     boolean isNear = false;
     for (int i = 0; i < STEPS && !isNear; i++) {
-      double gap = gap(f, dx, dy, t);
-      double slope = slope(f, dx, dy, t);
-      double bend = bend(f, dx, dy, t);
+      double x = x(t);
+      double y = y(t);
+      double vx = f.sx + f.gx * t;
+      double vy = f.sy + f.gy * t;
+      double gap = (x * x + y * y) - r * r;
+      double slope = x * vx + y * vy; // half the rate of the gap
+      double bend = (vx * vx + vy * vy) + (x * f.gx + y * f.gy);
       double root = Math.sqrt(slope * slope - gap * bend);
       touches = root >= 0;
       double step = touches ? gap / (root - slope) : -slope / bend;
       t += step;
       isNear = Math.abs(step) <= NEAR * t;
     }
-    if (!touches || !(t > 0 && t < T)) {
-      return unlessMissed(f, dx, dy, ex, ey, Math.min(Math.max(t, 0), T), T);
+    if (!touches || !(t > 0 && t < windowEnd)) {
+      return unlessMissed(Math.min(Math.max(t, 0), windowEnd));
     }
-    double nx = place(dx, f.sx, f.gx, t);
-    double ny = place(dy, f.sy, f.gy, t);
-    double sizeX = Offset.size(dx, f.sx, f.gx, t);
-    double sizeY = Offset.size(dy, f.sy, f.gy, t);
-    boolean isFirst =
-        isApproach(f, nx, ny, sizeX, sizeY, 0, t)
-            || isFirst(f, dx, dy, ex, ey, nx, ny, sizeX, sizeY, t);
-    if (isFirst && !(f.isLine && !isInFront(f, -ex, -ey, dx, dy, t))) {
-      return GapRoot.upTo(T, GapRoot.beside(t, GapRoot.nearestEnd(f, qx, qy, t)));
-    }
-    return GapRoot.DOUBT;
+    boolean isHit = isFirst(t) && !(f.isLine && !isInFront(-ex, -ey, t));
+    return isHit ? GapRoot.upTo(windowEnd, GapRoot.beside(t, GapRoot.nearestEnd(f, qx, qy, t))) : DOUBT;
   }
 
-  // The way from a point to a disk: its offset d at the start, its velocity s, its place at t.
+  // The way from the point q to the disk: its place at t, and the terms of that.
 
-  private static double place(double d, double s, double g, double t) {
-    return d + (s + 0.5 * g * t) * t;
+  private double x(double t) {
+    return dx + (f.sx + 0.5 * f.gx * t) * t;
   }
 
-  /** The square of the distance from a point less that of the radius. */
-  private static double gap(Fall f, double dx, double dy, double t) {
-    double x = place(dx, f.sx, f.gx, t);
-    double y = place(dy, f.sy, f.gy, t);
-    double r = f.r + f.radius;
-    return (x * x + y * y) - r * r;
+  private double y(double t) {
+    return dy + (f.sy + 0.5 * f.gy * t) * t;
   }
 
-  /** Half the rate at which the gap changes. */
-  private static double slope(Fall f, double dx, double dy, double t) {
-    return place(dx, f.sx, f.gx, t) * (f.sx + f.gx * t)
-        + place(dy, f.sy, f.gy, t) * (f.sy + f.gy * t);
+  private double sizeX(double t) {
+    return Offset.size(dx, f.sx, f.gx, t);
   }
 
-  /** The rate at which the slope changes. */
-  private static double bend(Fall f, double dx, double dy, double t) {
-    double vx = f.sx + f.gx * t;
-    double vy = f.sy + f.gy * t;
-    return (vx * vx + vy * vy)
-        + (place(dx, f.sx, f.gx, t) * f.gx + place(dy, f.sy, f.gy, t) * f.gy);
+  private double sizeY(double t) {
+    return Offset.size(dy, f.sy, f.gy, t);
   }
 
   /**
-   * Whether a disk that comes from behind the tangent is certain not to touch the line before: it
-   * moves against the normal in the last part of the way, and the chord is clear in the first one.
+   * Whether a disk is certain not to touch the line before t: it moves against the normal at t all
+   * the time before; or, if it comes from behind the tangent, it does so in the last part of the
+   * way, and the chord is clear in the first one.
    */
-  private static boolean isFirst(
-      Fall f, double dx, double dy, double ex, double ey, double nx, double ny, double sizeX,
-      double sizeY, double t) {
-    double from = crest(f, nx, ny);
-    return from > 0
-        && from < t
-        && isApproach(f, nx, ny, sizeX, sizeY, from, t)
-        && isChordClear(f, dx, dy, ex, ey, 0, from);
+  private boolean isFirst(double t) {
+    double nx = x(t);
+    double ny = y(t);
+    double sizeX = sizeX(t);
+    double sizeY = sizeY(t);
+    if (isApproach(nx, ny, sizeX, sizeY, 0, t)) {
+      return true;
+    }
+    double from = crest(nx, ny);
+    boolean isLater = from > 0 && from < t && isApproach(nx, ny, sizeX, sizeY, from, t);
+    return isLater && isChordClear(0, from);
   }
 
   /** The time at which the speed along a normal, {@code n.(s + g t)}, turns. */
-  private static double crest(Fall f, double nx, double ny) {
+  private double crest(double nx, double ny) {
     return -(nx * f.sx + ny * f.sy) / (nx * f.gx + ny * f.gy);
   }
 
@@ -247,44 +258,37 @@ final class DirectHit {
    * NEVER if a disk is certain not to touch a line up to T, else NaN. It does not if it stays in
    * front of a tangent, or of one before the time at which it is closest and of another after that.
    *
-   * @param dx the offset from an end of the line at the start
-   * @param ex the way from there to the other end
    * @param closest about when the disk is closest to the line
    */
-  private static double unlessMissed(
-      Fall f, double dx, double dy, double ex, double ey, double closest, double T) {
-    double x = place(dx, f.sx, f.gx, closest);
-    double y = place(dy, f.sy, f.gy, closest);
+  private double unlessMissed(double closest) {
+    double x = x(closest);
+    double y = y(closest);
     double along = x * ex + y * ey;
     double part = along > 0 ? Math.min(1, along / (ex * ex + ey * ey)) : 0;
     double nx = x - part * ex;
     double ny = y - part * ey;
-    double last = crest(f, nx, ny);
+    double last = crest(nx, ny);
     double from = last > 0 && last < closest ? last : 0;
     boolean isMissed =
-        isClear(f, dx, dy, ex, ey, nx, ny, 0, T)
-            || ((from == 0 || isPartClear(f, dx, dy, ex, ey, nx, ny, 0, from))
-                && isPartClear(f, dx, dy, ex, ey, nx, ny, from, closest)
-                && (closest == T || isPartClear(f, dx, dy, ex, ey, nx, ny, closest, T)));
-    return isMissed ? NEVER : GapRoot.DOUBT;
+        isClear(nx, ny, 0, windowEnd)
+            || ((from == 0 || isPartClear(nx, ny, 0, from))
+                && isPartClear(nx, ny, from, closest)
+                && (closest == windowEnd || isPartClear(nx, ny, closest, windowEnd)));
+    return isMissed ? NEVER : DOUBT;
   }
 
-  private static boolean isPartClear(
-      Fall f, double dx, double dy, double ex, double ey, double nx, double ny, double from,
-      double to) {
-    return isClear(f, dx, dy, ex, ey, nx, ny, from, to)
-        || isChordClear(f, dx, dy, ex, ey, from, to);
+  private boolean isPartClear(double nx, double ny, double from, double to) {
+    return isClear(nx, ny, from, to) || isChordClear(from, to);
   }
 
   /** Whether a disk stays in front of a tangent along the chord of a part of its way. */
-  private static boolean isChordClear(
-      Fall f, double dx, double dy, double ex, double ey, double from, double to) {
-    double x = place(dx, f.sx, f.gx, from);
-    double y = place(dy, f.sy, f.gy, from);
-    double nx = y - place(dy, f.sy, f.gy, to);
-    double ny = place(dx, f.sx, f.gx, to) - x;
+  private boolean isChordClear(double from, double to) {
+    double x = x(from);
+    double y = y(from);
+    double nx = y - y(to);
+    double ny = x(to) - x;
     double side = Math.copySign(1, nx * (x - 0.5 * ex) + ny * (y - 0.5 * ey));
-    return isClear(f, dx, dy, ex, ey, side * nx, side * ny, from, to);
+    return isClear(side * nx, side * ny, from, to);
   }
 
   /**
@@ -292,23 +296,18 @@ final class DirectHit {
    * coefficients of its distance from that, which is quadratic, are all above 0. Any normal will
    * do, for the tangent is moved to where the line is behind it.
    */
-  private static boolean isClear(
-      Fall f, double dx, double dy, double ex, double ey, double nx, double ny, double from,
-      double to) {
+  private boolean isClear(double nx, double ny, double from, double to) {
     double square = nx * nx + ny * ny;
     double r = f.r + f.radius;
     double reach = r * Math.sqrt(square) + Math.max(0, nx * ex + ny * ey);
-    double first = nx * place(dx, f.sx, f.gx, from) + ny * place(dy, f.sy, f.gy, from);
+    double first = nx * x(from) + ny * y(from);
     double speed = nx * (f.sx + f.gx * from) + ny * (f.sy + f.gy * from);
     double middle = first + speed * (0.5 * (to - from));
-    double last = nx * place(dx, f.sx, f.gx, to) + ny * place(dy, f.sy, f.gy, to);
-    double terms =
-        Math.abs(nx) * (r + Math.abs(ex) + Offset.size(dx, f.sx, f.gx, to))
-            + Math.abs(ny) * (r + Math.abs(ey) + Offset.size(dy, f.sy, f.gy, to));
+    double last = nx * x(to) + ny * y(to);
+    double termsX = Math.abs(nx) * (r + Math.abs(ex) + sizeX(to));
+    double terms = termsX + Math.abs(ny) * (r + Math.abs(ey) + sizeY(to));
     double least = reach + fma(ROUNDING, terms, TINY);
-    return first > least
-        && middle > least
-        && last > least
+    return Math.min(first, Math.min(middle, last)) > least
         && square > LEAST_SQUARE
         && square < MOST
         && to < MOST;

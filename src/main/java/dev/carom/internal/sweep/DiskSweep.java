@@ -18,6 +18,8 @@ import dev.carom.internal.exact.UnitVector;
  * <p>Seen from the second disk, the first one's centre starts at the offset {@code d = c1 - c2} and
  * moves with {@code u = v1 - v2}; they touch where it comes to the distance {@code r = r1 + r2}: a
  * {@link TimeOfImpact}, with cross(u, d) a single number.
+ *
+ * <p>The numbers are arguments, not a value, for the reason that {@link SegmentSweep} gives.
  */
 public final class DiskSweep {
 

