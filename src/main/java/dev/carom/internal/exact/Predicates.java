@@ -8,7 +8,7 @@ import java.util.function.ToIntFunction;
 /**
  * The signs of the five polynomials on which every decision of a sweep rests. Vectors are given as
  * two points, head and tail, whose difference they are. Their coordinates are arguments, up to
- * fourteen: a sign takes a few nanoseconds, and an object for its vectors would take as many.
+ * fourteen, for the reason that {@code SegmentSweep} gives.
  *
  * <p>Each sign is first taken in plain doubles, if the value exceeds a bound of its rounding
  * errors. What that leaves open climbs the {@link ExactSigns}: double-double with a bound, sums
