@@ -86,11 +86,6 @@ public final class Dyadic implements Ring<Dyadic> {
     return m.signum() < 0 ? negate() : this;
   }
 
-  /** x |x|: monotone like x, and turns a comparison of roots into one of squares. */
-  Dyadic signedSquare() {
-    return times(abs());
-  }
-
   Dyadic half() {
     return new Dyadic(m, e - 1);
   }

@@ -179,8 +179,7 @@ public final class ExactParabola {
 
   /** The side of the line just before an impact: +1 left, -1 right. */
   public int side(RealRoot t) {
-    int sign = t.sign(height);
-    return sign != 0 ? sign : -t.sign(height.derivative());
+    return signBefore(height, t);
   }
 
   /**
@@ -198,15 +197,14 @@ public final class ExactParabola {
 
   /** Whether a point that hits an end of a line was beside the line just before. */
   public boolean comesFromSide(RealRoot t) {
-    return isBefore(alongStart, t, 1) && isBefore(alongEnd, t, -1);
+    return signBefore(alongStart, t) > 0 && signBefore(alongEnd, t) < 0;
   }
 
-  /** Whether a quadratic polynomial has a sign just before a time. */
-  private static boolean isBefore(Polynomial along, RealRoot t, int sign) {
-    int at = t.sign(along);
-    int slope = -t.sign(along.derivative());
-    int bend = t.sign(along.derivative().derivative());
-    return (at != 0 ? at : slope != 0 ? slope : bend) == sign;
+  /** The sign of a quadratic polynomial just before a time. */
+  private static int signBefore(Polynomial f, RealRoot t) {
+    int at = t.sign(f);
+    int slope = -t.sign(f.derivative());
+    return at != 0 ? at : slope != 0 ? slope : t.sign(f.derivative().derivative());
   }
 
   /** The times before a limit, null for none, at which the gap may begin to fall, in order. */

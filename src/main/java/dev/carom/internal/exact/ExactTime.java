@@ -56,20 +56,20 @@ public record ExactTime(Dyadic p, Dyadic q, Dyadic d) {
 
   /** The sign of p - sqrt(q) - d m. */
   private int compare(Dyadic m) {
-    return p.minus(d.times(m)).signedSquare().minus(q).sign();
+    Dyadic x = p.minus(d.times(m));
+    return x.times(x.abs()).minus(q).sign(); // x |x| keeps the order, and needs no root
   }
 
   /** The correctly rounded value of a positive time, {@code +infinity} if it is later than T. */
   public double upTo(double T) {
-    double t = nearest();
-    return t < T || T == Double.POSITIVE_INFINITY || (t == T && !isAfter(T))
-        ? t
-        : Double.POSITIVE_INFINITY;
+    return upTo(nearest(), T);
   }
 
-  /** Whether a positive time is later than another one. */
-  public boolean isAfter(double t) {
-    return compare(Dyadic.of(t)) > 0;
+  /** The same, given the correctly rounded value t. */
+  public double upTo(double t, double T) {
+    return t < T || T == Double.POSITIVE_INFINITY || (t == T && compare(Dyadic.of(T)) <= 0)
+        ? t
+        : Double.POSITIVE_INFINITY;
   }
 
   /**

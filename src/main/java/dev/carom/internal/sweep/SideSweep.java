@@ -47,12 +47,9 @@ public final class SideSweep {
     double speed = -side * (wx * (vy - uy) - wy * (vx - ux));
     double rough = Math.max(0, (c - scaledRadius) / speed);
     double t = refined(side, px, py, r, vx, vy, ax, ay, bx, by, ux, uy, rough, T);
-    boolean isLate =
-        t > T
-            || (t == T
-                && t < Double.POSITIVE_INFINITY
-                && exact(side, px, py, r, vx, vy, ax, ay, bx, by, ux, uy).isAfter(T));
-    return isLate ? Double.POSITIVE_INFINITY : t;
+    return t == T && t < Double.POSITIVE_INFINITY
+        ? exact(side, px, py, r, vx, vy, ax, ay, bx, by, ux, uy).upTo(t, T)
+        : t > T ? Double.POSITIVE_INFINITY : t;
   }
 
   /**

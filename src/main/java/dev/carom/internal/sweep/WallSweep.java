@@ -71,17 +71,14 @@ public final class WallSweep {
   /** The same within a window: {@code +infinity} if it is later than the window's end T. */
   public static double time(double p, double r, double v, double wall, double T) {
     double t = time(p, r, v, wall);
-    return t > T || (t == T && roundedDown(p, r, v, wall, t)) ? Double.POSITIVE_INFINITY : t;
+    return t == T && t < Double.POSITIVE_INFINITY
+        ? exactTime(p, r, v, wall).upTo(t, T)
+        : t > T ? Double.POSITIVE_INFINITY : t;
   }
 
   /** The exact time of impact of a disk that moves towards a wall. */
   public static ExactTime exactTime(double p, double r, double v, double wall) {
     int inward = v < 0 ? 1 : -1;
     return ExactTime.of(ParabolaWallSweep.gap(Polynomial.EXACT, p, r, v, 0, wall, inward));
-  }
-
-  /** Whether the true time of impact is later than its rounding t. */
-  private static boolean roundedDown(double p, double r, double v, double wall, double t) {
-    return t < Double.POSITIVE_INFINITY && exactTime(p, r, v, wall).isAfter(t);
   }
 }
