@@ -67,6 +67,12 @@ public final class GapPolynomial implements Ring<GapPolynomial> {
   /** Corrections of a time by Newton's method, or halvings. More cost time only. */
   private static final int CORRECTIONS = 80;
 
+  /**
+   * A step, of the time, at which the search with rounded coefficients ends: its next one would be
+   * the square of it, or rounding. A smaller one costs time, a greater one later corrections.
+   */
+  private static final double LAST_STEP = 0x1p-40;
+
   /** Doubles beside a time that are tried. */
   private static final int NEIGHBORS = 6;
 
@@ -160,8 +166,8 @@ public final class GapPolynomial implements Ring<GapPolynomial> {
   private GapPolynomial clear(int newLength) {
     length = newLength;
     derivative = null;
-    Arrays.fill(c, 0);
-    Arrays.fill(size, 0);
+    Arrays.fill(c, 0, newLength, 0);
+    Arrays.fill(size, 0, newLength, 0);
     return this;
   }
 
@@ -564,7 +570,7 @@ public final class GapPolynomial implements Ring<GapPolynomial> {
       }
       double next = t - value / (before * slope(t));
       next = next >= from && next <= to ? next : 0.5 * (from + to);
-      if (Math.abs(next - t) <= 0.5 * Math.ulp(t)) {
+      if (Math.abs(next - t) <= (exact != null ? 0.5 * Math.ulp(t) : LAST_STEP * t)) {
         return next;
       }
       t = next;
