@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 package dev.carom.internal.engine;
 
-import static dev.carom.internal.exact.Fma.fma;
+import static dev.carom.internal.state.MovingCircle.place;
 
 import dev.carom.internal.search.Grid;
 import dev.carom.internal.state.CircleTable;
@@ -100,22 +100,24 @@ public final class DuePrefetcher {
     sum += read;
   }
 
+  /** Reads the first and the last number of each of its rows, which may lie in two cache lines. */
   private long flight(int i) {
     int k = circles.at(i);
     int c = circles.codesAt(i);
     return bits(circles.state[k + FlightRow.X])
-        + bits(circles.state[k + CircleTable.CLEARED])
+        + bits(circles.state[k + CircleTable.RESTITUTION])
         + circles.codes[c + CircleTable.LAST]
         + circles.codes[c + CircleTable.STUCK]
-        + bits(circles.gx(i));
+        + bits(circles.gx(i))
+        + circles.support(i);
   }
 
   private long whereItHits(int i) {
     int k = circles.at(i);
     double[] state = circles.state;
     double dt = state[k + CircleTable.CLEARED];
-    double x = fma(state[k + FlightRow.VX], dt, state[k + FlightRow.X]);
-    double y = fma(state[k + FlightRow.VY], dt, state[k + FlightRow.Y]);
+    double x = place(state[k + FlightRow.X], state[k + FlightRow.VX], circles.gx(i), dt);
+    double y = place(state[k + FlightRow.Y], state[k + FlightRow.VY], circles.gy(i), dt);
     Grid grid = staticScene.grid(i);
     return line(circles.codes[circles.codesAt(i) + CircleTable.NEXT])
         + (grid == null ? 0 : grid.around(x, y));

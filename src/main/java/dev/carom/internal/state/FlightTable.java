@@ -18,7 +18,7 @@ public class FlightTable {
 
   // The columns of doubles, after those of a FlightRow.
   public static final int CLEARED = FlightRow.SIZE;
-  static final int RESTITUTION = 8;
+  public static final int RESTITUTION = 8;
   static final int NUMBERS = 9;
 
   // In the past the ints stand in their place: so a row of it is in one array.
