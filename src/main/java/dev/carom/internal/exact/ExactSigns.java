@@ -55,8 +55,16 @@ public abstract class ExactSigns<N extends Ring<N>> {
 
   /** The sign of |a - b|^2 (r + s)^2 - cross(a - b, c - d)^2. */
   public final int discriminant(
-      double ax, double ay, double bx, double by, double cx, double cy, double dx, double dy,
-      double r, double s) {
+      double ax,
+      double ay,
+      double bx,
+      double by,
+      double cx,
+      double cy,
+      double dx,
+      double dy,
+      double r,
+      double s) {
     N px = difference(ax, bx);
     N py = difference(ay, by);
     N sum = difference(r, -s);
@@ -66,8 +74,20 @@ public abstract class ExactSigns<N extends Ring<N>> {
 
   /** The sign of x |x| |w|^2 - y |y|: x = -side cross(p - a, v - u), y = r (v - u).w, w = b - c. */
   public final int corner(
-      int side, double px, double py, double ax, double ay, double vx, double vy, double ux,
-      double uy, double bx, double by, double cx, double cy, double r) {
+      int side,
+      double px,
+      double py,
+      double ax,
+      double ay,
+      double vx,
+      double vy,
+      double ux,
+      double uy,
+      double bx,
+      double by,
+      double cx,
+      double cy,
+      double r) {
     N sx = difference(vx, ux);
     N sy = difference(vy, uy);
     N wx = difference(bx, cx);

@@ -51,8 +51,16 @@ public final class SegmentFilter {
    * @param margin from {@link #margin}; with an infinite one no line is reported as hit
    */
   public static int contact(
-      double px, double py, double r, double vx, double vy, double ax, double ay, double bx,
-      double by, double margin) {
+      double px,
+      double py,
+      double r,
+      double vx,
+      double vy,
+      double ax,
+      double ay,
+      double bx,
+      double by,
+      double margin) {
     double wx = bx - ax;
     double wy = by - ay;
     double dx = px - ax;
@@ -80,8 +88,17 @@ public final class SegmentFilter {
 
   /** The contact of a centre that starts outside the strip, on the given side, and approaches. */
   private static int part(
-      double side, double px, double py, double r, double vx, double vy, double ax, double ay,
-      double bx, double by, double doubt) {
+      double side,
+      double px,
+      double py,
+      double r,
+      double vx,
+      double vy,
+      double ax,
+      double ay,
+      double bx,
+      double by,
+      double doubt) {
     double wx = bx - ax;
     double wy = by - ay;
     double ww = wx * wx + wy * wy;
@@ -131,8 +148,16 @@ public final class SegmentFilter {
 
   /** The approximate time of a contact that this filter found; its error is {@link #TIME_ERROR}. */
   public static double time(
-      int contact, double px, double py, double r, double vx, double vy, double ax, double ay,
-      double bx, double by) {
+      int contact,
+      double px,
+      double py,
+      double r,
+      double vx,
+      double vy,
+      double ax,
+      double ay,
+      double bx,
+      double by) {
     if (contact == Contact.START) {
       return timeOfEnd(px, py, r, vx, vy, ax, ay);
     }
