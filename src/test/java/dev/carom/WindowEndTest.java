@@ -280,7 +280,7 @@ class WindowEndTest {
     return gap;
   }
 
-  /** Whether the gap falls at the start, and comes below 0. */
+  /** Whether a gap is falling at the start and gets below 0 later. */
   private static boolean meets(Polynomial gap) {
     return gap.derivative().sign(Dyadic.ZERO) < 0 && ExactTime.of(gap).q().sign() > 0;
   }

@@ -109,7 +109,7 @@ public final class ExactParabola {
     return upTo(T, firstOfPoint(root -> region(root) != region));
   }
 
-  /** Whether a border counts, by numbers just before it, null for none, and just after it. */
+  /** Whether a border counts, given a number just before it, or null, and one just after it. */
   private interface Border {
     boolean counts(Dyadic before, RealRoot root, Dyadic after);
   }

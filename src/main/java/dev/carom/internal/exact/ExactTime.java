@@ -17,9 +17,11 @@ public record ExactTime(Dyadic p, Dyadic q, Dyadic d) {
   public static final ExactTime ZERO = of(0);
 
   /**
-   * The time at which the gap {@code c0 + 2 b t + a t^2} of a straight flight falls to 0, which it
-   * does: the lesser root {@code (-b - sqrt(b^2 - a c0)) / a}, or that of a linear one. It is 0 if
-   * the gap is not above 0 at the start.
+   * The time at which the gap {@code c + 2 b t + a t^2} of a straight flight falls to 0. That is 0
+   * if the gap is not above 0 at the start, else the lesser root {@code (-b - sqrt(b^2 - a c)) /
+   * a}, or {@code -c / (2 b)} for {@code a = 0}.
+   *
+   * @param gap one that falls to 0
    */
   public static ExactTime of(Polynomial gap) {
     Dyadic c = gap.at(0);

@@ -219,8 +219,8 @@ abstract class CellWalk extends FirstImpact {
   }
 
   /**
-   * Shows what a cell lists, unless that is a pair of lines: with these, too, the walk made two
-   * calls for each line, if compilers inlined the inner one, which is large, into this one.
+   * Shows what a cell lists, unless that is a pair of lines, which the walk looks at itself:
+   * through this method each of them would cost two calls.
    */
   private void visit(Grid grid, long list) {
     if (CellList.areOthers(list)) {

@@ -153,8 +153,8 @@ final class DirectHit {
   }
 
   /**
-   * Whether a centre is certain to be in front of the point q at about the time t, as seen along a
-   * normal n.
+   * Whether a centre is certain to be further along the normal n than the point q, at about the
+   * time t.
    */
   private boolean isInFront(double nx, double ny, double t) {
     double height = nx * x(t) + ny * y(t);
@@ -232,9 +232,9 @@ final class DirectHit {
   }
 
   /**
-   * Whether a disk is certain not to touch the line before t: it moves against the normal at t all
-   * the time before; or, if it comes from behind the tangent, it does so in the last part of the
-   * way, and the chord is clear in the first one.
+   * Whether a disk is certain not to touch the line before t. It is if it moves against the normal
+   * at t all the time before. If it comes from behind the tangent, it has to move so in the last
+   * part of the way only; in the first part its chord has to be clear of the line.
    */
   private boolean isFirst(double t) {
     double nx = x(t);

@@ -33,7 +33,7 @@ import org.junit.jupiter.params.provider.CsvSource;
  * that is smaller sends fewer: its derivation must allow that before the numbers here are changed.
  */
 @EnabledIfSystemProperty(named = "dev.carom.rungs", matches = "true")
-class PrecisionCountersTest {
+class PrecisionCounterTest {
   private static final int QUERIES = 200;
 
   /**
