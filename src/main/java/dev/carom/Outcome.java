@@ -11,8 +11,7 @@ public enum Outcome {
 
   /**
    * The motion along the normal stopped: one of the two has {@link Response#HALT}. Under gravity
-   * such a circle may settle at once; the row then says {@link #SETTLED}. Off what is round it
-   * leaves by the <a href="doc-files/rules.html#gravity">least speed</a>.
+   * such a circle may settle at once; the row then says {@link #SETTLED}.
    */
   HALTED,
 
@@ -23,10 +22,12 @@ public enum Outcome {
   PASSED,
 
   /**
-   * The circle was stuck, or in contact with a stuck one, and was resolved without bounce.
+   * The circle was stuck, or in contact with a stuck one, and was resolved without bounce. Or
+   * something that moves squeezed it, and passes over it.
    *
-   * <p>A circle is stuck after too many impacts at one place. See <a
-   * href="doc-files/rules.html#stuck">stuck circles</a>.
+   * <p>Without gravity a circle is stuck after too many impacts at one place. See <a
+   * href="doc-files/rules.html#stuck">stuck circles</a>. Under <a
+   * href="doc-files/rules.html#gravity">gravity</a> it falls again as soon as nothing overlaps it.
    */
   JAMMED,
 
@@ -34,13 +35,11 @@ public enum Outcome {
   STOPPED,
 
   /**
-   * The circle stopped bouncing: its bounces had become very low, or this impact left none, by
-   * restitution 0 or {@link Response#HALT}.
+   * The first slow impact of a circle after a fast one, under {@linkplain SceneBuilder#gravity
+   * gravity}: it makes low bounces from now on, slides, or is in contact.
    *
-   * <p>From this impact on it slides along a side or a wall, or rests, or, where it slid upon
-   * something round that does not carry it, falls. In a heap, the contacts that hold a circle which
-   * comes to rest have this outcome. This happens only in a scene with {@linkplain
-   * SceneBuilder#gravity gravity}.
+   * <p>Further slow impacts have no row, nor have rest and the motion of circles in contact. See <a
+   * href="doc-files/rules.html#gravity">Gravity</a>.
    */
   SETTLED
 }

@@ -72,12 +72,14 @@ public final class Snapshot {
   /**
    * Writes this snapshot in a format of its own, with a version and a check sum.
    *
-   * <p>It takes 105 bytes a circle, 41 a line, 33 a peg, and 145 for the rest, 113 without bounds.
+   * <p>It takes 105 bytes a circle, 41 a line, 33 a peg, and 147 for the rest, 115 without bounds.
    * To these come 52 more for each line or peg that moves or moved before, and 1 for each that was
    * removed. Some states of one circle make all circles larger:
    *
    * <ul>
-   *   <li>If any circle falls, slides or rests, all take 32 more.
+   *   <li>If any circle falls, slides or rests, all take 24 more.
+   *   <li>If any circles are in contact under gravity, all take 20 more. Each of them takes 208
+   *       more, and 32 for each thing near it.
    *   <li>If a sensor reported another circle in the present flight of any, all take 24 more.
    *   <li>If any circle is jammed, all take 4 more, and 4 for each thing that they are jammed by.
    *   <li>If any circle, line or peg has a {@linkplain SceneBuilder#filter filter} of its own, all

@@ -76,8 +76,8 @@ import java.util.Arrays;
  * <ul>
  *   <li>it is {@link Outcome#JAMMED}, {@link Outcome#STOPPED} or {@link Outcome#SETTLED}, or an
  *       impact leaves it at rest;
- *   <li>under gravity, a bounce off something round is so low that the <a
- *       href="doc-files/rules.html#gravity">rules of gravity</a> may make it higher;
+ *   <li>under gravity it comes in <a href="doc-files/rules.html#gravity">contact</a> with something
+ *       else than one flat side;
  *   <li>it hits something that it overlaps;
  *   <li>an edit gives it another place or velocity, or adds it, or changes gravity;
  *   <li>it made an impact in a step without {@code update}, or the world was {@linkplain
@@ -85,7 +85,7 @@ import java.util.Arrays;
  *   <li>any line or peg moves, or moved before.
  * </ul>
  *
- * <p>{@link #restart} begins anew with a circle, unless it slides or rests on something.
+ * <p>{@link #restart} begins anew with a circle, unless it slides, rests or is in contact.
  */
 public final class Uncertainty {
 

@@ -376,12 +376,11 @@ public final class World {
   /**
    * Tells whether a circle rests under gravity.
    *
-   * <p>It has {@linkplain Outcome#SETTLED settled} or jammed, and does not move, or only moves with
-   * the line or the two lines that carry it, until something hits it or an edit frees it. A circle
-   * that slides does not rest. Over a line that moves sideways it slides, even where it stands
-   * still, and so does one that a lift takes along a wall. After an edit of what carries it, it
-   * rests again from the next step on. A resting circle makes no impacts and costs nothing. In a
-   * heap, a circle that approaches it slowly bounces off it and does not free it, see <a
+   * <p>It stands still, or moves with what carries it, until it would move, something hits it, its
+   * load doubles, or an edit frees it. This holds on level ground, in a heap, in a corner, and
+   * under something that passes over it. A circle that slides or rolls does not rest. Over a line
+   * that moves sideways it slides, even where it stands still. After an edit of what carries it, it
+   * rests again some ticks later. A resting circle makes no impacts and costs nothing, see <a
    * href="doc-files/rules.html#gravity">Gravity</a>.
    *
    * @param id the id of the circle
@@ -1141,9 +1140,11 @@ public final class World {
    *
    * <p>What ended before the start is dropped: flights, changes, and removed things. So the memory
    * of a recording is bounded by what happens within the duration; with {@code +infinity} it grows
-   * without end. A flight takes 72 bytes, and 32 more under gravity. A change of a circle within a
+   * without end. A flight takes 72 bytes, and 24 more under gravity. A change of a circle within a
    * flight counts as one more flight, such as another mass, or a contact with another circle that a
-   * sensor reports. Each circle has room for up to four times the flights that it needs.
+   * sensor reports. A circle in contact takes 250 bytes more for each tick, and 32 for each thing
+   * near it; one at rest takes nothing. Each circle has room for up to four times the flights that
+   * it needs.
    *
    * @param duration the time to keep, in the unit of {@link #now}, from 0 to {@code +infinity}
    * @return the timeline, which goes on as the world does

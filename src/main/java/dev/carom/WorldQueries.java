@@ -170,6 +170,9 @@ final class WorldQueries {
 
   /** Tells whether a circle is carried, and moves as what carries it. */
   boolean isResting(int slot, double now) {
+    if (circles.isMember(slot)) {
+      return !circles.isAwake(slot);
+    }
     if (!circles.isSupported(slot) || circles.gx(slot) != 0 || circles.gy(slot) != 0) {
       return false;
     }

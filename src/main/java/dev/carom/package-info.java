@@ -147,8 +147,7 @@
  * <ul>
  *   <li>Between impacts circles move straight on, or under one constant {@linkplain
  *       dev.carom.SceneBuilder#gravity gravity} on parabolas. There is no rotation, friction or
- *       polygon. Heaps of up to 200 circles come to rest. Steering is a velocity that the caller
- *       sets between steps.
+ *       polygon. Heaps come to rest. Steering is a velocity that the caller sets between steps.
  *   <li>Lines and pegs rest, or move with a {@linkplain dev.carom.World#setVelocity(ObstacleKind,
  *       int, double, double) constant velocity} and push circles. They do not turn, and nothing
  *       deflects them.

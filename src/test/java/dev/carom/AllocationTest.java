@@ -3,8 +3,6 @@ package dev.carom;
 
 import static org.assertj.core.api.Assertions.assertThat;
 
-import java.lang.reflect.InvocationTargetException;
-import java.lang.reflect.Method;
 import java.util.Map;
 import java.util.Random;
 import org.junit.jupiter.api.Test;
@@ -309,29 +307,6 @@ class AllocationTest {
     }
     for (int i = 0; i < world.circleCount(); i++) {
       sum += world.x(i) + world.y(i) + world.vx(i) + world.vy(i);
-    }
-  }
-
-  /**
-   * The bytes that this thread has allocated. By reflection: the library's module, in which tests
-   * run, reads java.base only.
-   */
-  private static final class Meter {
-    private final Object bean;
-    private final Method allocated;
-
-    Meter() throws ReflectiveOperationException {
-      bean =
-          Class.forName("java.lang.management.ManagementFactory")
-              .getMethod("getThreadMXBean")
-              .invoke(null);
-      allocated =
-          Class.forName("com.sun.management.ThreadMXBean")
-              .getMethod("getCurrentThreadAllocatedBytes");
-    }
-
-    long bytes() throws IllegalAccessException, InvocationTargetException {
-      return (Long) allocated.invoke(bean);
     }
   }
 }

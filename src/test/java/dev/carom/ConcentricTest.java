@@ -74,7 +74,7 @@ class ConcentricTest {
   /** All on two centres, some set back there between the steps. */
   @Test
   void manyOnOneCentreHaveUnitNormals() {
-    for (int seed = 0; seed < 60; seed++) {
+    for (int seed = 0; seed < 120; seed++) {
       Random random = new Random(seed);
       SceneBuilder scene = Scene.builder().collide(true).gravity(0, -random.nextInt(3));
       scene.bounds(-10, -10, 30, 30).restitution(0.5);

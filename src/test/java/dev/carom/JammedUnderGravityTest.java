@@ -57,7 +57,7 @@ class JammedUnderGravityTest {
     World world = new World(scene.build());
     assertThat(world.advanceTo(8)).isTrue();
     assertThat(world.isResting(0)).isTrue();
-    assertThat(world.y(0)).isEqualTo(9);
+    assertThat(world.y(0)).as("a contact may hover").isBetween(9 - 0x1p-7, 9 + 1e-9);
     switch (edit) {
       case "remove" -> world.remove(CIRCLE, 1);
       case "setMass" -> world.setMass(1, 1);

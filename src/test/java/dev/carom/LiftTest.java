@@ -77,39 +77,6 @@ class LiftTest {
     }
   }
 
-  /** Also where a ball leaves the one below only because that one leaves the lift. */
-  @Test
-  void noVelocityChangesWithoutARow() {
-    SceneBuilder scene = Scene.builder().gravity(0, -10).collide(true).bounds(0, -5, 1.548, 30);
-    scene.line(0, 0, 1.548, 0).circle(0.5, 0.5, 0.5, 0, 0).restitution(0);
-    World world = new World(scene.circle(1, 1.4, 0.5, 0, 0).restitution(0).build());
-    play(world, 2);
-    world.setVelocity(ObstacleKind.LINE, 0, 0, 0.5);
-    double time = world.now();
-    double vy = world.vy(1);
-    while (world.advanceToImpact(4) == StopReason.IMPACT) {
-      double fall = 10 * (world.now() - time) + 1e-9;
-      if (Math.abs(world.vy(1) - vy) > fall) {
-        assertThat(circles(world.impacts())).as("at %s", world.now()).contains(1);
-      }
-      time = world.now();
-      vy = world.vy(1);
-    }
-    assertThat(time).isGreaterThan(3.9);
-  }
-
-  /** The circles of which a log has rows. */
-  private static Set<Integer> circles(ImpactLog log) {
-    Set<Integer> hit = new HashSet<>();
-    for (int row = 0; row < log.size(); row++) {
-      hit.add(log.circle(row));
-      if (log.kind(row) == ObstacleKind.CIRCLE) {
-        hit.add(log.id(row));
-      }
-    }
-    return hit;
-  }
-
   @ParameterizedTest
   @CsvSource({"2, 0", "2, 0.3", "3, 0.5"})
   void aCircleOfInfiniteMassLiftsAStack(int balls, double e) {
@@ -211,5 +178,17 @@ class LiftTest {
     for (int i = 0; i < 3; i++) {
       assertThat(world.y(i)).isLessThan(4.5 + ROUNDING);
     }
+  }
+
+  /** The circles of which a log has rows. */
+  private static Set<Integer> circles(ImpactLog log) {
+    Set<Integer> hit = new HashSet<>();
+    for (int row = 0; row < log.size(); row++) {
+      hit.add(log.circle(row));
+      if (log.kind(row) == ObstacleKind.CIRCLE) {
+        hit.add(log.id(row));
+      }
+    }
+    return hit;
   }
 }

@@ -12,8 +12,8 @@ import org.junit.jupiter.params.provider.CsvSource;
 /** Balls between two things, of which one moves. */
 class MovingCornerTest {
 
-  /** How far the least speed, of a hop 2^-12 R high, takes a ball; R is 1.5 at most. */
-  private static final double HOPS = 4 * 1.5 * 0x1p-12;
+  /** How far a contact may hover where something moves, in radii, which are 1. */
+  private static final double HOPS = 0x1p-7;
 
   /** A ball of radius 1 falls into a V; its left side is at rest, and its right side moves. */
   private static World playedUntil(double end, double u, double e) {

@@ -41,21 +41,35 @@ abstract class PlainEdits extends PlainSearch {
     }
   }
 
-  /** Circles fall that lay on one which is about to change, if that rested. */
-  private void freeHeap(int id) {
-    MovingCircle m = copy(bodies.get(id));
-    if (m.isGround()) {
-      m.tl = tailOfEdit(m);
-      m.t = now;
-      for (MovingCircle other : heap.free(m)) {
-        bodies.set(other.id, other);
-        begin(other);
+  /** Takes a circle that is about to change out of contact. */
+  private void leaveContact(int id) {
+    MovingCircle m = bodies.get(id);
+    if (collide) {
+      contacts.leave(m, now);
+    } else if (m.isMember()) {
+      lone.leave(m, now);
+    }
+  }
+
+  /** Notes for contact that a thing comes, goes or changes. */
+  private void noteContact(int code) {
+    if (collide) {
+      contacts.changed(code, now);
+    } else if (gravity.acts() && !Codes.isCircle(code)) {
+      lone.changed();
+      for (MovingCircle m : bodies) {
+        if (registry.contains(m.id) && m.isMember() && lone.isNear(m, code, now)) {
+          lone.leave(m, now);
+          m.newFlight();
+          release(m);
+          begin(m);
+        }
       }
     }
   }
 
   private MovingCircle restarted(int id) {
-    freeHeap(id);
+    leaveContact(id);
     MovingCircle m = begunAnew(id);
     release(m);
     return m;
@@ -64,20 +78,20 @@ abstract class PlainEdits extends PlainSearch {
   void setGravity(double gx, double gy) {
     for (MovingCircle m : bodies) {
       if (registry.contains(m.id)) {
+        leaveContact(m.id);
         begunAnew(m.id).forget();
       }
     }
     gravity.set(gx, gy);
+    contacts = new PlainContacts(this);
     bodies.stream().filter(m -> registry.contains(m.id)).forEach(this::release);
   }
 
-  /** Lets circles fall that slide or rest on an obstacle which is about to change. */
+  /** Lets circles fall that slide on an obstacle which is about to change. */
   private void letFallFrom(int code) {
+    noteContact(code);
     for (MovingCircle m : bodies) {
-      boolean rests = m.isSupported() && m.gx == 0 && m.gy == 0;
-      boolean isCarried =
-          m.support == code || m.leftLine == code || (rests && response.settling.touches(m, code));
-      if (registry.contains(m.id) && isCarried) {
+      if (registry.contains(m.id) && (m.support == code || m.landing == code)) {
         restarted(m.id).forget(code, 0);
       }
     }
@@ -90,21 +104,10 @@ abstract class PlainEdits extends PlainSearch {
     m.restart(now, tailOfEdit(m), confined ? obstacles.walls : null);
     begin(m);
     if (registry.mass(id) == Double.POSITIVE_INFINITY) {
-      leaveJamsOf(id);
+      leaveJams(Codes.circle(id));
+      noteContact(Codes.circle(id));
     }
     return m;
-  }
-
-  /** Circles fall that rest only since a circle, which is edited, pressed them. */
-  private void leaveJamsOf(int id) {
-    int code = Codes.circle(id);
-    for (MovingCircle m : bodies) {
-      boolean isPressed = m.jam != null && m.jam.isCrushedBy(code);
-      if (registry.contains(m.id) && isPressed && m.pinned) {
-        restarted(m.id).forget(code, 0);
-      }
-    }
-    leaveJams(code);
   }
 
   /** An edit comes after all that happened: to the circle, if it is alone. */
@@ -117,12 +120,12 @@ abstract class PlainEdits extends PlainSearch {
   void setMass(int id, double mass) {
     double never = Double.POSITIVE_INFINITY;
     boolean passes = (registry.mass(id) == never) != (mass == never);
-    freeHeap(id);
+    boolean held = collide && bodies.get(id).isMember();
+    noteContact(Codes.circle(id));
     registry.setMass(id, mass);
     if (passes) {
-      leaveJamsOf(id);
+      leaveJams(Codes.circle(id));
     }
-    boolean held = collide && bodies.get(id).isFrozen();
     if (held || (passes && (collide || gravity.acts()))) {
       restarted(id).forget();
     }
@@ -136,6 +139,7 @@ abstract class PlainEdits extends PlainSearch {
     release(m);
     bodies.add(m);
     met.add(new HashMap<>());
+    contacts = contacts.copy(this);
   }
 
   void addLine(double ax, double ay, double bx, double by) {
@@ -175,14 +179,16 @@ abstract class PlainEdits extends PlainSearch {
   }
 
   private void removeCircle(int id) {
-    freeHeap(id);
+    leaveContact(id);
+    noteContact(Codes.circle(id));
     registry.remove(id);
-    leaveJamsOf(id);
+    leaveJams(Codes.circle(id));
   }
 
   private void removeObstacle(int code) {
     letFallFrom(code);
     obstacles.remove(code);
+    noteContact(code);
     bodies.forEach(m -> m.forget(code, 0));
   }
 
@@ -193,6 +199,7 @@ abstract class PlainEdits extends PlainSearch {
       case WALL -> obstacles.setRestitution(id, e);
       case CIRCLE -> bodies.get(id).restitution = e;
     }
+    noteContact(Codes.of(kind.ordinal(), id));
   }
 
   void setResponse(ObstacleKind kind, int id, Response response) {
@@ -253,10 +260,12 @@ abstract class PlainEdits extends PlainSearch {
       }
     }
     obstacles.setFilter(Codes.LEFT, filter);
+    noteContact(Codes.LEFT);
   }
 
   /** Flights that would meet a thing that was not there begin anew. */
   private void appear(int code) {
+    noteContact(code);
     for (MovingCircle m : bodies) {
       if (registry.contains(m.id)) {
         m.forget(code, 0);

@@ -5,7 +5,6 @@ import dev.carom.internal.exact.ExactSigns;
 import dev.carom.internal.state.Codes;
 import dev.carom.internal.state.MovingCircle;
 import dev.carom.internal.state.ObstacleTable;
-import dev.carom.internal.sweep.Contact;
 import dev.carom.internal.sweep.FallReturn;
 import dev.carom.internal.sweep.Falls;
 import dev.carom.internal.sweep.ParabolaWallSweep;
@@ -91,13 +90,11 @@ final class PlainFall {
             NEVER);
   }
 
-  /** The return to what was hit last, or to the ends of a line from which the circle slid. */
+  /** The return to what was hit last. */
   private double again(MovingCircle m, int code) {
     double[] n = row(m, code);
-    if (m.leftLine == code) {
-      int near = nearEnd(m, n);
-      double far = disk(m, code, n[2 - near], n[3 - near], 0);
-      return Math.min(far, backToDisk(m, code, n[near], n[near + 1]));
+    if (code == m.landing) {
+      return atEnds(m, code, n);
     }
     return Codes.isLine(code)
         ? Falls.returnToLine(
@@ -106,15 +103,18 @@ final class PlainFall {
         : backToDisk(m, code, n[0], n[1]);
   }
 
-  private double backToDisk(MovingCircle m, int code, double x, double y) {
-    return Falls.returnToDisk(m.x, m.y, m.vx, m.vy, m.gx, m.gy, x, y, ux(code), uy(code), NEVER);
+  /**
+   * Of a circle that flew off one end of a line: the return to that, or the contact with the other.
+   */
+  private double atEnds(MovingCircle m, int code, double[] n) {
+    boolean isAtStart = Math.hypot(m.x - n[0], m.y - n[1]) < Math.hypot(m.x - n[2], m.y - n[3]);
+    int left = isAtStart ? 0 : 2;
+    double back = backToDisk(m, code, n[left], n[left + 1]);
+    return Math.min(back, disk(m, code, n[2 - left], n[3 - left], 0));
   }
 
-  /** Where in the row of a line its end begins that is nearer to the circle. */
-  private static int nearEnd(MovingCircle m, double[] n) {
-    double toStart = (m.x - n[0]) * (m.x - n[0]) + (m.y - n[1]) * (m.y - n[1]);
-    double toEnd = (m.x - n[2]) * (m.x - n[2]) + (m.y - n[3]) * (m.y - n[3]);
-    return toStart < toEnd ? 0 : 2;
+  private double backToDisk(MovingCircle m, int code, double x, double y) {
+    return Falls.returnToDisk(m.x, m.y, m.vx, m.vy, m.gx, m.gy, x, y, ux(code), uy(code), NEVER);
   }
 
   /** A one-way line counts when the circle comes to touch it, its centre left of the line. */
@@ -158,9 +158,6 @@ final class PlainFall {
       return 0;
     }
     double[] n = row(m, code);
-    if (m.leftLine == code && t == 0) {
-      return (nearEnd(m, n) == 0 ? Contact.START : Contact.END) | Contact.NOW;
-    }
     boolean isReturn =
         code == m.last
             && !obstacles.isSensor(code)

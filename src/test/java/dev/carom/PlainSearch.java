@@ -65,7 +65,10 @@ abstract class PlainSearch extends PlainState {
     double best = NEVER;
     int code = MovingCircle.NOTHING;
     for (int k : codes()) {
-      boolean there = (m.jam == null || !m.jam.concerns(k)) && meets(m.id, obstacles.filter(k));
+      boolean there =
+          (m.jam == null || !m.jam.concerns(k))
+              && meets(m.id, obstacles.filter(k))
+              && !isHeldFrom(m, k);
       double t = there ? next(m, k) : NEVER;
       boolean sensor = obstacles.isSensor(k);
       boolean before = t == best && t != NEVER && sensor && !obstacles.isSensor(code);
@@ -95,6 +98,12 @@ abstract class PlainSearch extends PlainState {
     }
     double head = m.after(best);
     keep(head, m.afterTail(best, head), (long) code << 31 | m.id, m.id, -1, best);
+  }
+
+  /** Whether contact keeps a member from an obstacle. */
+  private boolean isHeldFrom(MovingCircle m, int k) {
+    boolean alike = obstacles.ux(k) == m.vx && obstacles.uy(k) == m.vy;
+    return m.isMember() && !obstacles.isSensor(k) && (m.mode != MovingCircle.FROZEN || alike);
   }
 
   /** When a circle next meets an obstacle, in its flight and after all that it met in that. */
@@ -157,6 +166,7 @@ abstract class PlainSearch extends PlainState {
     boolean justHit = a.last == ofB && b.last == ofA;
     boolean alike = a.gx == b.gx && a.gy == b.gy;
     if ((justHit && alike)
+        || (!pairs.isSilent(a.id, b.id) && contacts.keepsApart(a, b))
         || !meets(a.id, registry.filter(b.id))
         || pairs.isInert(a.id, a.jam, b.id, b.jam)) {
       return;

@@ -2,7 +2,7 @@
 package dev.carom;
 
 import dev.carom.internal.response.ContactCluster;
-import dev.carom.internal.response.Heap;
+import dev.carom.internal.response.LoneContact;
 import dev.carom.internal.response.ObstacleResponse;
 import dev.carom.internal.response.PairResponse;
 import dev.carom.internal.state.CircleRegistry;
@@ -10,6 +10,7 @@ import dev.carom.internal.state.Codes;
 import dev.carom.internal.state.Filter;
 import dev.carom.internal.state.FlightTable;
 import dev.carom.internal.state.Gravity;
+import dev.carom.internal.state.ImpactRows;
 import dev.carom.internal.state.MovingCircle;
 import dev.carom.internal.state.ObstacleTable;
 import dev.carom.internal.util.Kind;
@@ -32,7 +33,9 @@ abstract class PlainState {
   ObstacleResponse response;
   PairResponse pairs;
   ContactCluster cluster;
-  Heap heap;
+  PlainContacts contacts;
+  LoneContact lone;
+  final ImpactRows rows = new ImpactRows(16);
   Gravity gravity;
   PlainFall falls;
   List<MovingCircle> bodies = new ArrayList<>();
@@ -66,14 +69,26 @@ abstract class PlainState {
       bodies.add(m);
       met.add(new HashMap<>());
     }
+    contacts = new PlainContacts(this);
   }
 
   private void respond() {
     falls = new PlainFall(obstacles);
     response = new ObstacleResponse(obstacles, gravity, m -> codes());
-    pairs = new PairResponse(registry, response.settling);
+    pairs = new PairResponse(registry, response);
     cluster = new ContactCluster(registry, pairs, response, obstacles, new Vicinity());
-    heap = new Heap(registry, pairs, response, obstacles, gravity, new Vicinity());
+    lone =
+        new LoneContact(
+            obstacles,
+            registry,
+            gravity,
+            (m, reach, now, into) -> {
+              for (int code : codes()) {
+                if (!Codes.isWall(code) || obstacles.walls != null) {
+                  into.add(code);
+                }
+              }
+            });
   }
 
   /** Everything is near everything. */
@@ -116,6 +131,7 @@ abstract class PlainState {
     met = new ArrayList<>();
     other.met.forEach(times -> met.add(new HashMap<>(times)));
     metPairs = new HashMap<>(other.metPairs);
+    contacts = other.contacts.copy(this);
   }
 
   /** Here each circle has its id for a slot, whatever was removed. */
@@ -142,14 +158,7 @@ abstract class PlainState {
   }
 
   void release(MovingCircle m) {
-    if (m.isSupported() && Codes.isCircle(m.last)) {
-      m.last = MovingCircle.NOTHING;
-    }
-    boolean isHeld = m.pinned;
-    if (m.isSupported()) {
-      m.leavePlace();
-    }
-    if (isHeld && m.last != MovingCircle.NOTHING && obstacles.moves(m.last)) {
+    if (m.isCarried() && Codes.isCircle(m.last)) {
       m.last = MovingCircle.NOTHING;
     }
     boolean isHeavy = registry.mass(m.id) == NEVER;
@@ -160,6 +169,12 @@ abstract class PlainState {
   void begin(MovingCircle m) {
     met.get(m.id).clear();
     metPairs.keySet().removeIf(pair -> pair >> 32 == m.id || pair.intValue() == m.id);
+  }
+
+  /** Notes the time of an event. */
+  void note(MovingCircle m) {
+    lastTail = last == m.t ? Math.max(lastTail, m.tl) : m.tl;
+    last = m.t;
   }
 
   /** An infinite mass that changed its way is there again for circles that it crushed. */

@@ -1,11 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
 package dev.carom;
 
-import dev.carom.internal.response.Heap;
 import dev.carom.internal.response.ObstacleResponse;
 import dev.carom.internal.state.Codes;
-import dev.carom.internal.state.ImpactRows;
 import dev.carom.internal.state.MovingCircle;
+import dev.carom.internal.util.Index;
 import java.util.Collection;
 import java.util.List;
 
@@ -17,8 +16,9 @@ import java.util.List;
  */
 public final class PlainWorld extends PlainEdits {
 
-  private final ImpactRows rows = new ImpactRows(16);
   private final ImpactLog log = new ImpactLog(rows);
+
+  private double first = NEVER;
 
   public PlainWorld(Scene scene) {
     super(scene);
@@ -35,14 +35,26 @@ public final class PlainWorld extends PlainEdits {
   /** The first so many impacts until the given time, in the order of a world's log. */
   public ImpactLog advance(double end, int most) {
     rows.clear();
+    first = NEVER;
     if (collide) {
-      while (log.size() < most && find(bodies) <= end) {
-        happen();
+      while (log.size() < most && Math.min(find(bodies), contacts.nextTick()) <= end) {
+        if (contacts.nextTick() <= time) {
+          first = Math.min(first, contacts.nextTick());
+          contacts.tick(contacts.nextTick());
+        } else {
+          happen();
+        }
       }
     } else {
       for (MovingCircle m : bodies) {
-        while (log.size() < most && find(List.of(m)) <= end) {
-          happen();
+        while (log.size() < most && Math.min(find(List.of(m)), tickOf(m)) <= end) {
+          if (tickOf(m) <= time) {
+            first = Math.min(first, tickOf(m));
+            lone.tick(m, rows);
+            begin(m);
+          } else {
+            happen();
+          }
         }
       }
     }
@@ -51,7 +63,17 @@ public final class PlainWorld extends PlainEdits {
     return log;
   }
 
+  private double tickOf(MovingCircle m) {
+    return registry.contains(m.id) && m.ticksNext() ? m.due() : NEVER;
+  }
+
+  /** The time of the first impact or tick of the last call; infinite if there was none. */
+  double firstEvent() {
+    return first;
+  }
+
   private void happen() {
+    first = Math.min(first, time);
     MovingCircle m = bodies.get(low);
     if (high >= 0) {
       happened();
@@ -60,21 +82,50 @@ public final class PlainWorld extends PlainEdits {
       int code = m.next;
       double vx = m.vx;
       double vy = m.vy;
-      boolean rested = m.isGround();
+      if (m.isMember() && !obstacles.isSensor(code)) {
+        meetAsMember(m);
+        return;
+      }
       int result = response.resolve(m, rows);
       if (result == ObstacleResponse.SENSED) {
         met.get(low).put(code, m.cleared);
-      } else {
-        happened();
-        begin(m);
-        if (m.vx != vx || m.vy != vy) {
-          leaveJamsOfInfinite(m);
-        }
-        settle(result, m);
-        if (rested) {
-          freeThoseOn(m);
-        }
+        return;
       }
+      happened();
+      begin(m);
+      if (result == ObstacleResponse.JOIN) {
+        join(m);
+        return;
+      }
+      if (m.vx != vx || m.vy != vy) {
+        leaveJamsOfInfinite(m);
+      }
+      settle(result, m);
+      noteInfinite(m);
+    }
+  }
+
+  private void meetAsMember(MovingCircle m) {
+    if (collide) {
+      contacts.meet(m.id, time);
+    } else {
+      lone.meet(m, rows);
+      begin(m);
+    }
+  }
+
+  private void join(MovingCircle m) {
+    if (collide) {
+      contacts.join(m.id, Index.NONE);
+    } else {
+      lone.join(m, rows);
+      begin(m);
+    }
+  }
+
+  private void noteInfinite(MovingCircle m) {
+    if (registry.mass(m.id) == NEVER) {
+      contacts.changed(Codes.circle(m.id), time);
     }
   }
 
@@ -92,45 +143,59 @@ public final class PlainWorld extends PlainEdits {
     double ofTwo = flown(Math.max(0, -later), two.advance(wait));
     cluster.forgetCrushersOf(one);
     cluster.forgetCrushersOf(two);
+    if (meetAsMembers(a, b)) {
+      return;
+    }
+    takeMomentum(one, Math.max(0, later) + wait);
+    takeMomentum(two, Math.max(0, -later) + wait);
     int result = pairs.resolve(one, ofOne, two, ofTwo, wait, true, rows);
     if (result == ObstacleResponse.SENSED) {
       metPairs.put(pair(a, b), wait);
+      return;
+    }
+    keep(a, one);
+    keep(b, two);
+    if (result == ObstacleResponse.JOIN) {
+      contacts.joinBoth(one, two);
     } else {
-      bodies.set(a.id, one);
-      bodies.set(b.id, two);
-      begin(one);
-      begin(two);
       settle(result, one, two);
-      if (a.isGround()) {
-        freeThoseOn(one);
-      } else if (b.isGround()) {
-        freeThoseOn(two);
+    }
+    noteInfinite(one);
+    noteInfinite(two);
+  }
+
+  /** A member flies on until it is told otherwise; other circles begin new flights. */
+  private void keep(MovingCircle before, MovingCircle after) {
+    if (!before.isMember()) {
+      bodies.set(after.id, after);
+      begin(after);
+    }
+  }
+
+  private boolean meetAsMembers(MovingCircle a, MovingCircle b) {
+    boolean are =
+        (a.isMember() || registry.mass(a.id) == NEVER)
+            && (b.isMember() || registry.mass(b.id) == NEVER)
+            && (a.isMember() || b.isMember())
+            && !pairs.isSilent(a.id, b.id);
+    for (MovingCircle m : List.of(a, b)) {
+      if (are && m.isMember()) {
+        contacts.meet(m.id, time);
       }
-      if (one.slowContacts >= Heap.TRIAL || two.slowContacts >= Heap.TRIAL) {
-        change(heap.rest(rows, copy(one), copy(two)));
-      }
+    }
+    return are;
+  }
+
+  private static void takeMomentum(MovingCircle m, double flown) {
+    if (m.mode == MovingCircle.AWAKE) {
+      m.vx = MovingCircle.velocity(m.px, m.ax, flown);
+      m.vy = MovingCircle.velocity(m.py, m.ay, flown);
     }
   }
 
   /** How long a flight lasted that was known before the wait, which alone lasted so long. */
   private double flown(double before, double waited) {
     return before + wait == wait ? waited : before + wait;
-  }
-
-  /** Lets the circles fall that one held which rested, unless it still does. */
-  private void freeThoseOn(MovingCircle m) {
-    if (gravity.acts() && collide && !m.isGround()) {
-      change(heap.free(copy(m)));
-    }
-  }
-
-  /** Circles begin new flights, as a heap has it. */
-  private void change(Collection<MovingCircle> changed) {
-    for (MovingCircle m : changed) {
-      bodies.set(m.id, m);
-      begin(m);
-    }
-    changed.forEach(this::revive);
   }
 
   /** Updates the jams of circles that begin new flights. */

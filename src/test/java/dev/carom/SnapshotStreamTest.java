@@ -46,10 +46,10 @@ class SnapshotStreamTest {
   private static final int TRAITS = ID + 8;
   private static final int MASS = TRAITS + 1;
   private static final int FLIGHT = TRAITS + 2 * 9 + 1;
-  private static final int LAST = FLIGHT + 2 * 9 * 8 + 2;
+  private static final int LAST = FLIGHT + 2 * 9 * 8 + 3;
   private static final int STUCK = LAST + 16;
   private static final int PACE = LAST + 8;
-  private static final int TAIL_OF_EDIT = LAST + 2 * 5 * 4 + 1;
+  private static final int TAIL_OF_EDIT = LAST + 2 * 5 * 4 + 2;
 
   private static Snapshot read(byte[] bytes) throws IOException {
     return Snapshot.read(new ByteArrayInputStream(bytes));
@@ -307,7 +307,7 @@ class SnapshotStreamTest {
     byte[] bytes = small();
     ByteBuffer.wrap(bytes).putInt(VERSION, 1);
     assertRefused(
-        bytes, "its format version is 1: expected 10, the only one that this library reads");
+        bytes, "its format version is 1: expected 11, the only one that this library reads");
   }
 
   @ParameterizedTest
@@ -485,7 +485,7 @@ class SnapshotStreamTest {
   // Under gravity: of each circle its acceleration, support and slow contacts, then gravity.
 
   private static final int FALLS = FLIGHT + 2 * 9 * 8 + 1;
-  private static final int GRAVITY = TAIL_OF_EDIT + 2 * 32 + 8;
+  private static final int GRAVITY = TAIL_OF_EDIT + 2 * 24 + 8;
 
   private static byte[] falling() {
     SceneBuilder scene = Scene.builder().bounds(0, 0, 100, 100).gravity(0, -0.125);
@@ -501,7 +501,7 @@ class SnapshotStreamTest {
       value = {
         FALLS + " | NaN | gx is NaN",
         (FALLS + 8) + " | Infinity | gy is Infinity",
-        (FALLS + 32) + " | Infinity | gx is Infinity",
+        (FALLS + 24) + " | Infinity | gx is Infinity",
         GRAVITY + " | NaN | gx is NaN",
         (GRAVITY + 8) + " | -Infinity | gy is -Infinity",
         FLIGHT + " | NaN | a number of a circle is NaN",
@@ -525,8 +525,6 @@ class SnapshotStreamTest {
         "16 | 6 | code 5 does not exist",
         "16 | 536870913 | code 536870912 does not exist",
         "16 | -6 | code 5 does not exist",
-        "16 | -4 | code 3 does not exist",
-        "24 | 33 | the slow contacts of a circle are 33",
       })
   void supportsThatMakeNoSenseAreRefused(int at, int number, String message) {
     byte[] bytes = falling();
@@ -535,7 +533,7 @@ class SnapshotStreamTest {
   }
 
   @ParameterizedTest
-  @CsvSource({"16, 0", "16, 1", "16, 4", "16, 5", "16, 268435457", "16, -5", "24, 32", "24, -7"})
+  @CsvSource({"16, 0", "16, 1", "16, 4", "16, 5", "16, 268435457", "16, -5", "16, -4"})
   void supportsAtTheirLimitsAreTaken(int at, int number) throws IOException {
     byte[] bytes = falling();
     ByteBuffer.wrap(bytes).putDouble(FALLS + at, number);

@@ -16,9 +16,7 @@ import org.assertj.core.api.ThrowableAssert.ThrowingCallable;
 import org.junit.jupiter.api.Test;
 
 /**
- * <<<<<<< HEAD A refused call leaves builder, world and file as they were. See also
- * RefusedEditTest, ======= A refused call leaves all as it was: builder, world, file. More of it:
- * RefusedEditTest, >>>>>>> 4c003e6 (Comments of tests and harness name their subject first)
+ * A refused call leaves builder, world and file as they were. See also RefusedEditTest,
  * SceneBuilderTest, SceneFormatExceptionTest, SnapshotStreamTest.
  */
 class NothingHalfDoneTest {

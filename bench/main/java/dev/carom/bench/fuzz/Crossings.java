@@ -61,6 +61,11 @@ final class Crossings {
         && Math.min(world.mass(i), world.mass(j)) < Double.POSITIVE_INFINITY;
   }
 
+  /** Whether a circle moves like an obstacle: nothing stops it. */
+  private boolean isMassive(Flight f) {
+    return world.mass(f.circle()) == Double.POSITIVE_INFINITY;
+  }
+
   private boolean isSensor(int circle) {
     return world.response(ObstacleKind.CIRCLE, circle) == Response.SENSOR;
   }
@@ -189,6 +194,8 @@ final class Crossings {
     double limit = limit(seen, seen.radius(), Math.hypot(seen.px(), seen.py()), slack);
     if (limit > 0
         && !masses.mayOverlap(f, g)
+        && !(isMassive(g) && passed.mayPass(f))
+        && !(isMassive(f) && passed.mayPass(g))
         && new Nearness(CENTRE, limit, slack).isReachedBy(seen)) {
       throw new FindingException("%s and %s come nearer than %s".formatted(f, g, limit));
     }

@@ -15,6 +15,9 @@ import java.util.BitSet;
 final class PlaceCheck {
 
   /** So many ulps of its coordinates a circle inside the bounds may be over a wall. */
+  /** In radii: circles in contact under gravity may overlap by so much. */
+  private static final double IN_CONTACT = 1e-9;
+
   private static final double ULPS = 4;
 
   private World world;
@@ -61,7 +64,9 @@ final class PlaceCheck {
       size = Math.max(size, Math.max(Math.abs(b.xmin()), Math.abs(b.xmax())));
       size = Math.max(size, Math.max(Math.abs(b.ymin()), Math.abs(b.ymax())));
     }
-    return beyond(world, id) <= (size <= Double.MAX_VALUE ? ULPS * Math.ulp(size) : 0);
+    double slack = size <= Double.MAX_VALUE ? ULPS * Math.ulp(size) : 0;
+    boolean mayTouch = !world.gravity().equals(Vec2.ZERO);
+    return beyond(world, id) <= slack + (mayTouch ? IN_CONTACT * world.radius(id) : 0);
   }
 
   /** How far a circle is over a wall that it can meet; less than 0 inside, and without any. */

@@ -13,6 +13,25 @@ import java.util.List;
 /** The flights of one step, from its log and its timeline; each must lead to the next one. */
 final class StepFlights {
 
+  /** A circle in contact under gravity has a tick of about sqrt(2^-8 R / g); parts are shorter. */
+  private static final double PART_OF_TICK = 0x1p-4;
+
+  private static final double TICK = 0x1p-8;
+
+  /** Its flight is no faster than this multiple of its speed, and of the kick of a tick. */
+  private static final double SPEED = 1.5;
+
+  private static final double KICKS = 8;
+
+  /** In radii: in a tick that is cut short it may still make the room that contacts keep. */
+  private static final double ROOM = 1;
+
+  /** A flight is looked at in its middle, in the middle of its first half, and so on. */
+  private static final int HALVINGS = 8;
+
+  /** So many parts of one circle are looked at. */
+  private static final int MOST_PARTS = 2_000;
+
   private final World world;
   private final Timeline timeline;
   private final double start;
@@ -21,6 +40,8 @@ final class StepFlights {
 
   /** Whether there is gravity. */
   private final boolean falls;
+
+  private int parts;
 
   /**
    * Reads a step.
@@ -68,6 +89,7 @@ final class StepFlights {
   }
 
   private List<Flight> of(int i, List<Double> moments) throws FindingException {
+    parts = 0;
     List<Flight> flights = new ArrayList<>();
     for (int k = 1; k < moments.size(); k++) {
       double from = moments.get(k - 1);
@@ -89,13 +111,22 @@ final class StepFlights {
 
   /**
    * Adds what a circle does between two moments. With gravity that may be more than one flight: the
-   * end of a slide makes no row. So it is halved until its parts are flights.
+   * end of a slide makes no row. So it is halved until its parts are flights, or shorter than a
+   * tick of circles in contact.
    */
   private void add(List<Flight> flights, int i, double from, double to, boolean begins)
       throws FindingException {
     Flight flight = flight(i, from, to, begins);
     double middle = from + (to - from) / 2;
-    if (falls && middle > from && middle < to && !isOne(flight, middle)) {
+    if (++parts > MOST_PARTS) {
+      return;
+    }
+    if (falls && middle > from && middle < to && !(isOne(flight) && isContinuous(flight))) {
+      double tick = Math.sqrt(TICK * flight.radius() / world.gravity().length());
+      if (to - from <= PART_OF_TICK * tick) {
+        checkContact(flight, tick);
+        return;
+      }
       add(flights, i, from, middle, begins);
       add(flights, i, middle, to, begins && !deep.isDeep(i));
       return;
@@ -133,7 +164,20 @@ final class StepFlights {
     return Math.hypot(timeline.vx(i, t), timeline.vy(i, t));
   }
 
-  /** Whether a flight is at a moment where one acceleration throughout leads it. */
+  /**
+   * Whether a flight is where one acceleration throughout leads it: in its middle, and towards its
+   * start, where a circle may be in contact for a tick before it slides.
+   */
+  private boolean isOne(Flight f) {
+    double dt = f.to() - f.from();
+    for (int k = 1; k <= HALVINGS; k++) {
+      if (!isOne(f, f.from() + Math.scalb(dt, -k))) {
+        return false;
+      }
+    }
+    return true;
+  }
+
   private boolean isOne(Flight f, double middle) {
     Flight rest = f.within(middle, f.to());
     double slack = rounding.of(f);
@@ -144,14 +188,29 @@ final class StepFlights {
         && Math.abs(rest.vy() - timeline.vy(f.circle(), middle)) <= speedSlack;
   }
 
+  /** The velocity of a circle in contact is its momentum: only its place may not jump. */
+  private void checkContact(Flight f, double tick) throws FindingException {
+    double dt = f.to() - f.from();
+    double speed = SPEED * f.fastest() + KICKS * world.gravity().length() * tick;
+    double way = Math.hypot(f.qx() - f.px(), f.qy() - f.py());
+    if (!(way <= speed * dt + ROOM * f.radius() + rounding.of(f))) {
+      throw new FindingException("the flight is not continuous, not even in contact: " + f);
+    }
+  }
+
   private void checkContinuous(Flight f) throws FindingException {
+    if (!isContinuous(f)) {
+      throw new FindingException(
+          "the flight is not continuous: " + f + ", bound " + rounding.of(f));
+    }
+  }
+
+  private boolean isContinuous(Flight f) {
     double slack = rounding.of(f);
     double dt = f.to() - f.from();
     double jumpX = Math.abs(Flight.place(f.px(), f.vx(), f.ax(), dt) - f.qx());
     double jumpY = Math.abs(Flight.place(f.py(), f.vy(), f.ay(), dt) - f.qy());
     boolean whole = !Double.isNaN(f.px() + f.py() + f.vx() + f.vy());
-    if (!whole || (f.isFinite() && !(jumpX <= slack && jumpY <= slack))) {
-      throw new FindingException("the flight is not continuous: " + f + ", bound " + slack);
-    }
+    return whole && (!f.isFinite() || (jumpX <= slack && jumpY <= slack));
   }
 }

@@ -58,7 +58,7 @@ final class StepWatch {
   /** Goes on in another world of the same state. */
   void enter(World entered) {
     world = entered;
-    energy = new EnergyCheck(world, speedUnit);
+    energy = energy == null ? new EnergyCheck(world, speedUnit) : energy.of(world);
     places.enter(world);
     masses.enter(world);
     passed.enter(world);

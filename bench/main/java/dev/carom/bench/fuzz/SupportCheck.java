@@ -18,10 +18,13 @@ import java.util.List;
 final class SupportCheck {
 
   /** An obstacle that holds a circle at rest is no further from it, in its own radii. */
-  private static final double HOLD = 0x1p-8;
+  private static final double HOLD = 0x1p-7;
 
   /** Nor is another circle, in the sum of the radii. */
   private static final double PAIR_HOLD = 0x1p-7;
+
+  /** More than a tick of circles in contact: its square, in R / g. */
+  private static final double TICK = 0x1p-3;
 
   /** Gravity is held if it is so near to the angle between two normals, in radians. */
   private static final double TILT = 0x1p-6;
@@ -56,6 +59,9 @@ final class SupportCheck {
   }
 
   private void check(Flight f, List<List<Flight>> all) throws FindingException {
+    if (f.to() - f.from() < Math.sqrt(TICK * f.radius() / gravity.length())) {
+      return; // it may be in contact, where its velocity is its momentum
+    }
     double lackX = gravity.x() - f.ax();
     double lackY = gravity.y() - f.ay();
     double lack = Math.hypot(lackX, lackY);
@@ -139,7 +145,8 @@ final class SupportCheck {
 
   /** Whether a circle rests, but for a fall at the end that is too short to be told from it. */
   private boolean stands(Flight f) {
-    return f.vx() == 0 && f.vy() == 0 && Math.hypot(f.ax(), f.ay()) <= slack(f);
+    double way = Math.hypot(f.vx(), f.vy()) * (f.to() - f.from());
+    return way <= rounding.of(f) && Math.hypot(f.ax(), f.ay()) <= slack(f);
   }
 
   /** How far rounding may carry the acceleration of a flight. */
@@ -158,7 +165,9 @@ final class SupportCheck {
 
   /** Notes the normal of something at a given offset, if that is near. */
   private void addTouch(double nx, double ny, double near) {
-    if (Math.hypot(nx, ny) <= near) {
+    if (nx == 0 && ny == 0) {
+      tilts.add(0.0); // its centre is in a point, which has no normal
+    } else if (Math.hypot(nx, ny) <= near) {
       addNormal(nx, ny);
     }
   }

@@ -212,16 +212,16 @@ class ChecksUnderGravityTest extends FlightChecks {
     assertThatThrownBy(energy::end).hasMessageContaining("energy of circle 0 went from 801.0");
   }
 
-  /** A ball that rolls off a peg gets the least hops, and no more. */
+  /** The velocity of a ball that rolls off a peg may lag behind its place by a bit, and no more. */
   @Test
-  void hopsOverWhatIsRoundMayAddEnergy() throws FindingException {
+  void contactMayAddABitOfEnergy() throws FindingException {
     World world = new World(box().circle(80.001, 59, 5, 0, 0).restitution(0.5).build());
     EnergyCheck energy = new EnergyCheck(world, 1);
     energy.begin();
     world.step(0.01);
     assertThat(world.impacts().kind(0)).isEqualTo(ObstacleKind.PEG);
     energy.end();
-    world.setVelocity(0, 0, 1);
+    world.setVelocity(0, 0, 5);
     assertThatThrownBy(energy::end).hasMessageContaining("energy of circle 0 went from 944.0");
   }
 }

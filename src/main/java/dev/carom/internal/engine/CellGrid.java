@@ -28,6 +28,14 @@ public final class CellGrid {
     Arrays.fill(heads, NONE);
   }
 
+  int columns() {
+    return columns;
+  }
+
+  int rows() {
+    return heads.length / columns;
+  }
+
   /** The number of a cell, before it is wrapped onto the ring. */
   public int cell(int column, int row) {
     return row * columns + column;

@@ -55,6 +55,11 @@ public final class CellLinks {
     return before;
   }
 
+  /** The circle after circle i in its list, or NONE. */
+  int next(int i) {
+    return next[i];
+  }
+
   /** Finds all circles in a cell and in the eight around it, as {@link CellGrid#around}. */
   public int around(int cell, int[] found, int size) {
     return follow(found, size, cells.around(cell, found, size));

@@ -3,7 +3,6 @@ package dev.carom.internal.engine;
 
 import dev.carom.internal.exact.ExactBudget;
 import dev.carom.internal.response.ContactCluster;
-import dev.carom.internal.response.Heap;
 import dev.carom.internal.response.ObstacleResponse;
 import dev.carom.internal.response.PairResponse;
 import dev.carom.internal.state.CircleRegistry;
@@ -48,11 +47,14 @@ public final class CollidingEngine extends Engine {
    */
   private static final int COLLISIONS_BETWEEN_LOOKS = 8;
 
+  /** The visits of contacts in a solve that count as one event: they take about as long. */
+  private static final int VISITS_PER_EVENT = 64;
+
   private final EngineOptions options;
 
   private final PairResponse pairs;
   private final ContactCluster cluster;
-  private final Heap heap;
+  private final Contacts contacts;
   private EventScheduler scheduler;
 
   /**
@@ -88,23 +90,30 @@ public final class CollidingEngine extends Engine {
       SceneData scene, CircleRegistry registry, EngineOptions options, ImpactRows log) {
     super(scene, registry, CircleTable.colliding(scene.circleCount()), options, log);
     this.options = options;
-    pairs = new PairResponse(registry, response.settling);
+    pairs = new PairResponse(registry, response);
     cluster = new ContactCluster(registry, pairs, response, staticScene.obstacles, new Vicinity());
-    heap = new Heap(registry, pairs, response, staticScene.obstacles, gravity, new Vicinity());
+    contacts = new Contacts(this, log);
     int count = circles.count;
     for (int i = 0; i < count; i++) {
       circles.start(scene, i);
       release(circles.body);
       circles.put(i, circles.body);
     }
+    contacts.reset();
     begin();
+  }
+
+  EventScheduler scheduler() {
+    return scheduler;
   }
 
   /** Rebuilds the scheduler and all predictions from the flights. */
   private void begin() {
     crossed = Double.NaN;
     double diameters = options.pairCells();
-    scheduler = new EventScheduler(circles, registry, staticScene, pairs, diameters, reached);
+    scheduler =
+        new EventScheduler(circles, registry, staticScene, pairs, contacts, diameters, reached);
+    contacts.makeRoom(reached);
     for (int i : registry.slots()) {
       scheduler.findNextObstacle(circles.state, circles.codes, i);
       scheduler.predict(i);
@@ -149,15 +158,24 @@ public final class CollidingEngine extends Engine {
     int[] c = circles.codes;
     ExactBudget work = ExactBudget.ofThread();
     long before = work.bits();
+    long visits = contacts.work();
     for (long events = 0; ; events++) {
-      long done = events + work.impactsSince(before);
-      if (done >= budget && scheduler.isAnyDue(end)) {
+      double tick = contacts.nextTick();
+      long solved = (contacts.work() - visits) / VISITS_PER_EVENT;
+      long done = events + solved + work.impactsSince(before);
+      if (done >= budget && (tick <= end || scheduler.isAnyDue(end))) {
         unfinished = true;
         spender = busiest();
         return done;
       }
-      int i = scheduler.poll(end);
+      // A tick comes before other events at its time.
+      int i = scheduler.poll(tick <= end ? Math.nextDown(tick) : end);
       if (i == Index.NONE) {
+        if (tick <= end) {
+          advanceClock(tick);
+          contacts.tick(reached);
+          continue;
+        }
         reached = end;
         return done;
       }
@@ -243,9 +261,12 @@ public final class CollidingEngine extends Engine {
       double head = m.after(m.cleared);
       stopAt(head, m.afterTail(m.cleared, head));
     }
+    if (m.isMember() && !staticScene.obstacles.isSensor(m.next)) {
+      contacts.meet(i, reached);
+      return;
+    }
     double vx = m.vx;
     double vy = m.vy;
-    boolean rested = gravity.acts() && m.isGround();
     int result = response.resolve(m, log);
     boolean turned = m.vx != vx || m.vy != vy;
     switch (result) {
@@ -259,6 +280,11 @@ public final class CollidingEngine extends Engine {
         leaveJamsOfInfinite(i, turned);
         resolveContacts(i);
       }
+      case ObstacleResponse.JOIN -> {
+        noteEvent(m.t, m.tl);
+        circles.put(i, m);
+        contacts.join(i, Index.NONE);
+      }
       default -> {
         noteEvent(m.t, m.tl);
         startFlight(circles.state, circles.codes, i, m);
@@ -267,40 +293,6 @@ public final class CollidingEngine extends Engine {
         scheduler.predict(i);
       }
     }
-    if (rested) {
-      freeThoseOn(i);
-    }
-    if (gravity.acts()) {
-      beginYielded();
-    }
-  }
-
-  /** Begins the flights of circles that gave way in an impact, and frees what they held. */
-  private void beginYielded() {
-    List<MovingCircle> yielded = response.takeYielded();
-    if (!yielded.isEmpty()) {
-      begin(yielded);
-      yielded.forEach(m -> freeThoseOn(m.id));
-    }
-  }
-
-  /**
-   * Lets the circles fall that a circle held which rested before an impact, unless it still does.
-   * Those that it crushed collide with it again.
-   */
-  private void freeThoseOn(int i) {
-    MovingCircle m = copy(i);
-    if (!m.isGround()) {
-      Collection<MovingCircle> freed = heap.free(m);
-      begin(freed);
-      collideAgain(m, freed);
-    }
-  }
-
-  /** Lets all circles collide again with one that begins to move, and with those that it freed. */
-  private void collideAgain(MovingCircle m, Collection<MovingCircle> freed) {
-    collideAgain(m.id, m.t);
-    freed.forEach(other -> collideAgain(other.id, m.t));
   }
 
   /** Resolves the collision predicted of circle i, if it comes before all other events. */
@@ -320,9 +312,9 @@ public final class CollidingEngine extends Engine {
     if (stopsAtImpact) {
       stopAt(CollisionPredictor.time(s, i), CollisionPredictor.tail(s, i));
     }
-    boolean acts = gravity.acts();
-    boolean lowRested = acts && circles.body.isGround();
-    boolean highRested = acts && other.isGround();
+    if (meetMembers(circles.body, other)) {
+      return;
+    }
     switch (resolveMeeting(s, circles.body, other, i)) {
       case ObstacleResponse.SENSED -> {
         report(low, high, i);
@@ -333,25 +325,86 @@ public final class CollidingEngine extends Engine {
         circles.put(high, other);
         resolveContacts(low, high);
       }
+      case ObstacleResponse.JOIN -> {
+        noteEvent(other.t, other.tl);
+        boolean lowStays = circles.body.isMember();
+        boolean highStays = other.isMember();
+        storeFree(s, c, circles.body);
+        storeFree(s, c, other);
+        contacts.joinBoth(low, high);
+        if (lowStays || highStays) {
+          scheduler.predict(lowStays ? low : high); // on the same flight, past this collision
+        }
+      }
       default -> {
         noteEvent(other.t, other.tl); // for both
-        boolean tries = circles.body.slowContacts >= Heap.TRIAL || other.slowContacts >= Heap.TRIAL;
         startFlight(s, c, low, circles.body);
         startFlight(s, c, high, other);
         reactivate(low);
         reactivate(high);
         scheduler.predict(s, c, low, high);
-        if (lowRested || highRested) {
-          freeThoseOn(lowRested ? low : high);
-        }
-        if (acts) {
-          beginYielded();
-        }
-        if (tries) {
-          begin(heap.rest(log, copy(low), copy(high)));
-        }
       }
     }
+  }
+
+  /** A member at rest that meets something of another frame wakes. */
+  private boolean meetMembers(MovingCircle a, MovingCircle b) {
+    boolean are = (a.isMember() || isInfinite(a)) && (b.isMember() || isInfinite(b));
+    if (!are || (!a.isMember() && !b.isMember()) || pairs.isSilent(a.id, b.id)) {
+      return false;
+    }
+    for (MovingCircle m : List.of(a, b)) {
+      if (m.isMember()) {
+        contacts.meet(m.id, reached);
+      }
+    }
+    scheduler.predict(a.id);
+    scheduler.predict(b.id);
+    return true;
+  }
+
+  private boolean isInfinite(MovingCircle m) {
+    return registry.mass(m.id) == Double.POSITIVE_INFINITY;
+  }
+
+  /** Stores a circle that joins, or an infinite mass that goes on, at the start of a new flight. */
+  private void storeFree(double[] s, int[] c, MovingCircle m) {
+    if (!m.isMember()) {
+      circles.storeNewFlight(s, c, m.id, m);
+      scheduler.comeBack(s, m.id);
+      if (isInfinite(m)) {
+        startFlight(s, c, m.id, m);
+        scheduler.predict(m.id);
+      }
+    }
+  }
+
+  /**
+   * Begins the flight of a member.
+   *
+   * @param alone whether there is no circle that it could meet
+   */
+  void beginMember(MovingCircle m, boolean alone) {
+    noteEvent(m.t, m.tl);
+    if (outgrown) {
+      putFlight(circles.state, circles.codes, m.id, m); // all is predicted anew
+      return;
+    }
+    scheduler.cancel(m.id);
+    startFlight(circles.state, circles.codes, m.id, m);
+    if (alone) {
+      scheduler.predictAlone(m.id);
+    } else {
+      scheduler.predict(m.id);
+    }
+  }
+
+  /** Stores the flight of a circle that left contact; its predictions follow. */
+  void beginFreed(MovingCircle m) {
+    scheduler.cancel(m.id);
+    noteEvent(m.t, m.tl);
+    putFlight(circles.state, circles.codes, m.id, m);
+    scheduler.comeBack(circles.state, m.id);
   }
 
   /** Records the contact predicted of circle i, one of the two, which a sensor reported. */
@@ -378,20 +431,37 @@ public final class CollidingEngine extends Engine {
     double flownA = a.advance(ofA, tau, head, tail, standsStill, obstacles);
     double flownB = b.advance(ofB, tau, head, tail, standsStill, obstacles);
     untilLook--;
+    takeMomentum(a, ofA + tau);
+    takeMomentum(b, ofB + tau);
     cluster.forgetCrushersOf(a);
     cluster.forgetCrushersOf(b);
     return pairs.resolve(a, flownA, b, flownB, tau, circles.allowsGravity(), log);
   }
 
+  /** Gives an awake member its momentum, for the row of the impact. */
+  private static void takeMomentum(MovingCircle m, double flown) {
+    if (m.mode == MovingCircle.AWAKE) {
+      m.vx = MovingCircle.velocity(m.px, m.ax, flown);
+      m.vy = MovingCircle.velocity(m.py, m.ay, flown);
+    }
+  }
+
   /** Starts a new flight of a circle. */
   private void startFlight(double[] s, int[] c, int i, MovingCircle m) {
-    circles.storeNewFlight(s, c, i, m);
+    putFlight(s, c, i, m);
     scheduler.comeBack(s, i);
+    scheduler.findNextObstacle(s, c, i);
+    if (registry.hasInfinite() && isInfinite(m)) {
+      contacts.changed(Codes.circle(i), reached);
+    }
+  }
+
+  private void putFlight(double[] s, int[] c, int i, MovingCircle m) {
+    circles.storeNewFlight(s, c, i, m);
     invalidate(c, i);
     if (recorder != null) {
       recorder.add(m, m.t);
     }
-    scheduler.findNextObstacle(s, c, i);
   }
 
   private void noteEvent(double head, double tail) {
@@ -479,21 +549,24 @@ public final class CollidingEngine extends Engine {
     outgrown = true; // the scheduler and the cells are those of straight flights
   }
 
-  /** A circle holds others only while it is at rest. */
   @Override
-  void freeHeap(int i, double now) {
-    if (!circles.allowsGravity()) {
-      return;
-    }
-    circles.load(i);
-    if (circles.body.isGround()) {
-      MovingCircle m = copy(i);
-      m.t = now;
-      m.tl = tailOfEdit(m, now);
-      Collection<MovingCircle> freed = heap.free(m);
-      freed.forEach(this::beginFlight);
-      collideAgain(m, freed);
-    }
+  void changeGravity() {
+    contacts.reset();
+  }
+
+  @Override
+  void leaveContact(MovingCircle m, double now) {
+    contacts.leave(m, now);
+  }
+
+  @Override
+  void noteContact(int code, double now) {
+    contacts.changed(code, now);
+  }
+
+  @Override
+  void saveContact(MovingCircle m) {
+    contacts.save(m);
   }
 
   @Override
@@ -517,6 +590,7 @@ public final class CollidingEngine extends Engine {
     repredict(i);
     if (registry.mass(i) == Double.POSITIVE_INFINITY) {
       leaveJamsOf(i);
+      contacts.changed(Codes.circle(i), reached);
     }
   }
 
@@ -550,7 +624,7 @@ public final class CollidingEngine extends Engine {
   @Override
   void leaveJamsOf(int i) {
     if (circles.jams != null) {
-      leaveJams(Codes.circle(i), reached, true);
+      leaveJams(Codes.circle(i), reached);
     }
   }
 
@@ -567,28 +641,21 @@ public final class CollidingEngine extends Engine {
   /** Lets circles that ignore circle i collide with it again, as it moves otherwise. */
   private void collideAgain(int i, double time) {
     if (circles.jams != null) {
-      leaveJams(Codes.circle(i), time, false);
+      leaveJams(Codes.circle(i), time);
     }
   }
 
-  /**
-   * Removes the code of a circle from all ignore lists, at a given time. After an edit of that
-   * circle, those fall that rest only since it pressed them.
-   */
-  private void leaveJams(int code, double time, boolean isEdit) {
+  /** Removes the code of a circle from all ignore lists, at a given time. */
+  private void leaveJams(int code, double time) {
     LiveCodes present = registry.present();
     for (int k = 0; k < present.size(); k++) {
       int i = present.get(k);
       IgnoreList jam = circles.jam(i);
       if (registry.contains(i) && jam != null && jam.concerns(code)) {
         circles.load(i);
-        if (isEdit && jam.isCrushedBy(code) && circles.body.pinned) {
-          letGo(circles.body, code);
-        } else {
-          circles.body.forget(code, 0);
-          store(i, circles.body);
-          noteChange(i, time);
-        }
+        circles.body.forget(code, 0);
+        store(i, circles.body);
+        noteChange(i, time);
       }
     }
   }
@@ -605,6 +672,7 @@ public final class CollidingEngine extends Engine {
   public void restore(FlightTable flights, double now, double tailOfEdit) {
     outgrown = true;
     super.restore(flights, now, tailOfEdit);
+    contacts.restore(flights, now);
     lastEvent = now;
     lastEventTail = tailOfEdit;
   }

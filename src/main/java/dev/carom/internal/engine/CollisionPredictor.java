@@ -66,6 +66,7 @@ final class CollisionPredictor {
 
   private final CircleTable circles;
   private final PairResponse pairs;
+  private final Contacts contacts;
 
   /** Whether circles may have accelerations. */
   private final boolean falls;
@@ -82,7 +83,8 @@ final class CollisionPredictor {
 
   private final MeetingTime first = new MeetingTime();
 
-  CollisionPredictor(CircleTable circles, PairResponse pairs) {
+  CollisionPredictor(CircleTable circles, PairResponse pairs, Contacts contacts) {
+    this.contacts = contacts;
     this.circles = circles;
     this.pairs = pairs;
     falls = circles.allowsGravity();
@@ -264,7 +266,8 @@ final class CollisionPredictor {
 
   /**
    * The same for circles that may have accelerations. Two with the same one move straight relative
-   * to each other, from the places and velocities that {@link FallingPair} takes; others stay.
+   * to each other, from the places and velocities that {@link FallingPair} takes; others stay. No
+   * member of those in contact meets an awake one.
    */
   int filterFalling(double[] s, int[] codes, int i, int[] found, int size) {
     int a = CircleTable.collidingAt(i);
@@ -277,6 +280,7 @@ final class CollisionPredictor {
     double ri = s[a + FlightRow.RADIUS];
     double gx = circles.gx(i);
     double gy = circles.gy(i);
+    boolean awake = contacts.isAwake(i) && !pairs.haveSilent();
     int left = 0;
     int end = size;
     for (int k = 0; k < end; k++) {
@@ -284,6 +288,9 @@ final class CollisionPredictor {
       int follower = codes[CircleTable.collidingCodesAt(j) + CircleTable.FOLLOWER];
       found[end] = follower;
       end += 1 + (follower >> 31);
+      if (awake && contacts.isMember(j)) {
+        continue;
+      }
       found[left] = j;
       if (circles.gx(j) != gx || circles.gy(j) != gy) {
         left++;
@@ -354,6 +361,9 @@ final class CollisionPredictor {
     }
     boolean alike = !falls || pair.fallAlike(i, j);
     boolean silent = pairs.haveSilent() && pairs.isSilent(i, j);
+    if (falls && !silent && isKeptApart(s, i, j)) {
+      return true;
+    }
     int a = CircleTable.collidingAt(i);
     int c = CircleTable.collidingAt(j);
     double t = Double.NaN;
@@ -389,6 +399,18 @@ final class CollisionPredictor {
       return true;
     }
     return compareExactly(s, codes, i, j, before, silent);
+  }
+
+  /** Whether contact keeps two falling circles apart, at least until its next tick. */
+  private boolean isKeptApart(double[] s, int i, int j) {
+    if (contacts.keepsApart(i, j)) {
+      return true;
+    }
+    if (!contacts.isAwake(i) && !contacts.isAwake(j)) {
+      return false;
+    }
+    pair.start(s, i, j);
+    return pair.isFar(contacts.nextTick() - laterStart(s));
   }
 
   /**
@@ -560,8 +582,15 @@ final class CollisionPredictor {
    */
   private double until(double[] s, int i, int j) {
     double end = Math.min(high, Math.min(circles.endOfFlight(i), circles.endOfFlight(j)));
-    double start = s[CircleTable.collidingAt(pair.later()) + FlightRow.T];
+    if (contacts.isAwake(i) || contacts.isAwake(j)) {
+      end = Math.min(end, contacts.nextTick());
+    }
+    double start = laterStart(s);
     return end < NEVER ? Math.max(0, end - start + 4 * Math.ulp(end)) : NEVER;
+  }
+
+  private double laterStart(double[] s) {
+    return s[CircleTable.collidingAt(pair.later()) + FlightRow.T];
   }
 
   /**

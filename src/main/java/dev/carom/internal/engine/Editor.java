@@ -125,13 +125,13 @@ public final class Editor {
       throw named(e, Codes.circle(slot));
     }
     boolean passes = (registry.mass(slot) == INFINITE) != (m == INFINITE);
-    engine.freeHeap(slot, now);
+    circles.load(slot, body);
+    boolean held = collide && body.isMember();
+    engine.noteContact(Codes.circle(slot), now);
     registry.setMass(slot, m);
     if (passes) {
       engine.leaveJamsOf(slot);
     }
-    circles.load(slot, body);
-    boolean held = collide && body.isFrozen(); // maybe by what fell just now
     if (held || (passes && (collide || engine.gravity.acts()))) {
       restarted(slot, now).forget();
       engine.beginFlight(body);
@@ -188,7 +188,7 @@ public final class Editor {
   }
 
   private void restart(MovingCircle m, double now) {
-    engine.freeHeap(m.id, now);
+    engine.leaveContact(m, now);
     m.restart(now, engine.tailOfEdit(m, now), circles.wallsOf(m.id));
     engine.release(m);
   }
@@ -201,6 +201,7 @@ public final class Editor {
     for (int slot : registry.slots()) {
       MovingCircle m = new MovingCircle();
       circles.load(slot, m);
+      engine.leaveContact(m, now);
       m.restart(now, engine.tailOfEdit(m, now), circles.wallsOf(slot));
       all.add(m);
     }
@@ -311,7 +312,9 @@ public final class Editor {
 
   public void remove(int code, double now) {
     if (Codes.isCircle(code)) {
-      engine.freeHeap(Codes.slot(code), now);
+      circles.load(Codes.slot(code), body);
+      engine.leaveContact(body, now);
+      engine.noteContact(code, now);
       registry.remove(Codes.slot(code));
       engine.remove(Codes.slot(code));
     } else {
@@ -329,9 +332,11 @@ public final class Editor {
     }
     if (Codes.isCircle(code)) {
       circles.setRestitution(Codes.slot(code), e);
+      engine.noteContact(code, now);
       engine.noteChange(Codes.slot(code), now);
     } else {
       obstacles.setRestitution(code, e);
+      engine.noteContact(code, now);
       engine.noteObstacle(code, now);
     }
   }
@@ -349,6 +354,7 @@ public final class Editor {
             Check.refused("response", "SENSOR", "BOUNCE or HALT: bounds keep circles inside"));
       }
       obstacles.setTraits(code, ContactFlags.with(obstacles.traits(code), response));
+      engine.noteContact(code, now);
     } else {
       setTraits(code, ContactFlags.with(obstacles.traits(code), response), now);
     }
@@ -397,6 +403,7 @@ public final class Editor {
       }
     }
     obstacles.setFilter(wall, filter);
+    engine.noteContact(wall, now);
     changed.forEach(engine::beginFlight);
   }
 

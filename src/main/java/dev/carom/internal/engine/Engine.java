@@ -65,14 +65,8 @@ public abstract class Engine {
 
   /** Lets a circle fly freely: it falls unless its mass is infinite. */
   final void release(MovingCircle m) {
-    if (m.isSupported() && Codes.isCircle(m.last)) {
+    if (m.isCarried() && Codes.isCircle(m.last)) {
       m.last = MovingCircle.NOTHING; // relative to that circle it moves otherwise from now on
-    }
-    if (m.isSupported()) {
-      m.leavePlace(); // what it ignored while it was jammed may be in the way of its fall
-    }
-    if (m.pinned && hitWhatMoves(m)) {
-      m.last = MovingCircle.NOTHING; // it may have left the circle since
     }
     if (registry.mass(m.id) < Double.POSITIVE_INFINITY) {
       m.fall(gravity.x, gravity.y);
@@ -81,13 +75,10 @@ public abstract class Engine {
     }
   }
 
-  private boolean hitWhatMoves(MovingCircle m) {
-    return m.last != MovingCircle.NOTHING && staticScene.obstacles.moves(m.last);
-  }
-
   /** Sets gravity, for flights that begin from now on. */
   public final void setGravity(double gx, double gy) {
     gravity.set(gx, gy);
+    changeGravity();
     if (gravity.acts() && !circles.allowsGravity()) {
       circles.allowGravity();
       staticScene.beginFalls();
@@ -97,6 +88,9 @@ public abstract class Engine {
 
   /** Prepares for flights that are not straight, the first of this world. */
   void beginGravity() {}
+
+  /** Forgets all that depends on gravity, when no circle is in contact. */
+  void changeGravity() {}
 
   /**
    * Advances all circles to the given time, or to an earlier one if the budget of work is
@@ -137,8 +131,11 @@ public abstract class Engine {
   /** Lets circles that a circle crushed, or that jam with it, hit it again. */
   void leaveJamsOf(int i) {}
 
-  /** Lets the circles fall that a circle holds, which is about to change. */
-  void freeHeap(int i, double now) {}
+  /** Takes a circle that is about to change out of contact; it has its momentum then. */
+  abstract void leaveContact(MovingCircle m, double now);
+
+  /** Notes for contact that an obstacle or a circle comes, goes or changes. */
+  abstract void noteContact(int code, double now);
 
   /** Prepares the search structures for a step that ends at a given time. */
   final void prepare(double end) {
@@ -167,6 +164,7 @@ public abstract class Engine {
 
   /** Discards all predictions about a line or a peg that is about to change. */
   final void forget(int code) {
+    noteContact(code, reached);
     int sensed = staticScene.sensedBefore(code);
     LiveCodes present = registry.present();
     for (int k = 0; k < present.size(); k++) {
@@ -183,17 +181,14 @@ public abstract class Engine {
     }
   }
 
-  /** Whether a circle slides or rests on an obstacle, or rests between it and another one. */
-  private boolean isCarriedBy(MovingCircle m, int code) {
-    return m.support == code
-        || m.leftLine == code
-        || (m.isSupported() && m.gx == 0 && m.gy == 0 && response.settling.touches(m, code));
+  /** Whether a circle slides on an obstacle, or will soon. */
+  private static boolean isCarriedBy(MovingCircle m, int code) {
+    return m.support == code || m.landing == code;
   }
 
   /** Lets a circle fall, as what holds or presses it is edited. */
   final void letGo(MovingCircle m, int code) {
-    freeHeap(m.id, reached);
-    circles.load(m.id, m);
+    leaveContact(m, reached);
     m.restart(reached, tailOfEdit(m, reached), circles.wallsOf(m.id));
     m.forget(code, 0);
     release(m);
@@ -223,6 +218,7 @@ public abstract class Engine {
   /** Handles a change of a line or a peg that no flight meets, such as its removal. */
   final void changed(int code, double now) {
     staticScene.changed(code);
+    noteContact(code, now);
     noteObstacle(code, now);
   }
 
@@ -235,6 +231,7 @@ public abstract class Engine {
       recorder.noteTail(reached, lastTail(reached));
       for (int i : registry.slots()) {
         circles.load(i);
+        saveContact(circles.body);
         recorder.add(circles.body, circles.body.t);
       }
     }
@@ -254,6 +251,7 @@ public abstract class Engine {
   final void noteChange(int i, double now) {
     if (recorder != null) {
       circles.load(i, changed);
+      saveContact(changed);
       recorder.add(changed, now);
     }
   }
@@ -267,12 +265,16 @@ public abstract class Engine {
     FlightTable states = new FlightTable(slots.length);
     for (int k = 0; k < slots.length; k++) {
       circles.load(slots[k]);
+      saveContact(circles.body);
       registry.toIds(circles.body);
       staticScene.forgetPrediction(circles.body, now);
       states.put(k, circles.body);
     }
     return states;
   }
+
+  /** Completes a circle that is in contact, before it is saved. */
+  void saveContact(MovingCircle m) {}
 
   /**
    * Replaces all flights by saved ones, which are those of the circles in the registry.

@@ -9,6 +9,7 @@ import dev.carom.internal.state.FlightRow;
 import dev.carom.internal.state.LiveCodes;
 import dev.carom.internal.state.MovingCircle;
 import dev.carom.internal.util.Index;
+import dev.carom.internal.util.IntList;
 import java.util.Arrays;
 
 /**
@@ -53,6 +54,7 @@ final class EventScheduler {
       CircleRegistry registry,
       StaticScene staticScene,
       PairResponse pairs,
+      Contacts contacts,
       double diameters,
       double now) {
     this.circles = circles;
@@ -65,7 +67,7 @@ final class EventScheduler {
     foundOfOther = new int[room + NeighborGrid.SPARE];
     double[] walls = staticScene.obstacles.walls;
     neighbors = new NeighborGrid(circles, registry.slots(), walls, diameters, now);
-    predictor = new CollisionPredictor(circles, pairs);
+    predictor = new CollisionPredictor(circles, pairs, contacts);
     order = new EventComparator(circles, pairs);
     boolean many = room >= EventPrefetcher.LEAST_CIRCLES;
     EventPrefetcher prefetcher = many ? new EventPrefetcher(circles, registry, neighbors) : null;
@@ -281,6 +283,17 @@ final class EventScheduler {
   /** Lists a circle in the cell where its new flight starts, if it is not listed there. */
   void comeBack(double[] s, int i) {
     neighbors.comeBack(s, i);
+  }
+
+  /** Adds the circles near a place, see {@link NeighborGrid#addNear}. */
+  void addNear(double x, double y, double distance, IntList into) {
+    neighbors.addNear(x, y, distance, into);
+  }
+
+  /** Schedules the next event of a circle that can meet no other circle. */
+  void predictAlone(int i) {
+    predictor.predictAmong(state, codes, i, found, 0);
+    schedule(i);
   }
 
   /** Removes a circle from its cells, and its event from the queue. */

@@ -18,6 +18,9 @@ final class FallingPair {
 
   private static final double NEVER = Double.POSITIVE_INFINITY;
 
+  /** Far more than the rounding of places and times, in proportion. */
+  private static final double ROUNDING = 0x1p-20;
+
   private final CircleTable circles;
 
   /** The questions to the detector. */
@@ -86,6 +89,18 @@ final class FallingPair {
     gx = gx1 - gx2;
     gy = gy1 - gy2;
     return Math.abs(x1 - x2) + Math.abs(y1 - y2) < NEVER && r1 + r2 > 0;
+  }
+
+  /** Whether two circles certainly do not meet within a time after the later start. */
+  boolean isFar(double time) {
+    double spare = (1 + ROUNDING) * time;
+    double speeds = Math.abs(vx1 - vx2) + Math.abs(vy1 - vy2);
+    double pulls = Math.abs(gx) + Math.abs(gy);
+    double places = Math.abs(x1) + Math.abs(y1) + Math.abs(x2) + Math.abs(y2) + r1 + r2;
+    double reach = r1 + r2 + spare * (speeds + spare * pulls) + ROUNDING * places;
+    double dx = x1 - x2;
+    double dy = y1 - y2;
+    return dx * dx + dy * dy > reach * reach;
   }
 
   /** See {@link CollisionPredictor#roughTime}. */

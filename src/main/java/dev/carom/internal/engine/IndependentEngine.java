@@ -3,13 +3,17 @@ package dev.carom.internal.engine;
 
 import dev.carom.internal.exact.ExactBudget;
 import dev.carom.internal.response.ContactCluster;
+import dev.carom.internal.response.LoneContact;
 import dev.carom.internal.response.ObstacleResponse;
 import dev.carom.internal.response.PairResponse;
 import dev.carom.internal.state.CircleRegistry;
 import dev.carom.internal.state.CircleTable;
+import dev.carom.internal.state.Codes;
 import dev.carom.internal.state.DueTimes;
 import dev.carom.internal.state.EngineOptions;
+import dev.carom.internal.state.FlightTable;
 import dev.carom.internal.state.ImpactRows;
+import dev.carom.internal.state.LiveCodes;
 import dev.carom.internal.state.MovingCircle;
 import dev.carom.internal.state.ObstacleTable;
 import dev.carom.internal.state.SceneData;
@@ -42,6 +46,11 @@ public final class IndependentEngine extends Engine {
   /** Null until it is needed. */
   private ContactCluster cluster;
 
+  private final LoneContact contact;
+
+  /** Whether a tick comes before the next impact. */
+  private boolean ticksNext;
+
   /** Impacts made in this pass, and exact work in units of impacts. */
   private long spent;
 
@@ -53,6 +62,7 @@ public final class IndependentEngine extends Engine {
     int count = circles.count;
     prefetcher = new DuePrefetcher(circles, staticScene);
     undoLog = new UndoLog(Math.min(count, JOURNAL));
+    contact = new LoneContact(staticScene.obstacles, registry, gravity, staticScene::addNear);
     for (int i = 0; i < count; i++) {
       circles.start(scene, i);
       release(circles.body);
@@ -95,15 +105,22 @@ public final class IndependentEngine extends Engine {
 
   @Override
   public double advanceToImpact(double end) {
-    prepare(end);
-    return advance(Math.min(end, nextImpact(end)));
+    while (true) {
+      prepare(end);
+      double next = nextEvent(end);
+      double time = advance(Math.min(end, next));
+      if (!ticksNext || next >= end || unfinished || log.size() > 0) {
+        return time;
+      }
+    }
   }
 
   /**
-   * The first double that is not before the next impact; infinite if no impact comes until the
+   * The first double that is not before the next impact or tick; infinite if none comes until the
    * given time.
    */
-  private double nextImpact(double end) {
+  private double nextEvent(double end) {
+    ticksNext = false;
     DueTimes due = circles.due;
     MovingCircle m = circles.body;
     while (true) {
@@ -112,6 +129,10 @@ public final class IndependentEngine extends Engine {
         return Double.POSITIVE_INFINITY;
       }
       circles.load(i);
+      ticksNext = m.ticksNext();
+      if (ticksNext) {
+        return m.due();
+      }
       if (m.next != MovingCircle.NOTHING) {
         double head = m.due();
         return MovingCircle.firstNotBefore(head, m.afterTail(m.cleared, head));
@@ -159,16 +180,14 @@ public final class IndependentEngine extends Engine {
     double reached = 0;
     double due = m.due();
     do {
-      if (m.next != MovingCircle.NOTHING) {
+      boolean ticks = m.ticksNext();
+      if (ticks || m.next != MovingCircle.NOTHING) {
         if (impacts > 0 && impacts + work.impactsSince(before) >= allowance) {
           spent += allowance;
           return reached;
         }
         reached = due; // a sensor begins no new flight
-        int result = response.resolve(m, log);
-        if (result == ObstacleResponse.STUCK && staticScene.obstacles.areMoving()) {
-          cluster().resolve(log, m);
-        }
+        int result = ticks ? tick(m) : resolve(m);
         if (result != ObstacleResponse.SENSED && recorder != null) {
           recorder.note(m);
         }
@@ -181,10 +200,29 @@ public final class IndependentEngine extends Engine {
     return Double.POSITIVE_INFINITY;
   }
 
+  private int tick(MovingCircle m) {
+    contact.tick(m, log);
+    return ObstacleResponse.NEW_FLIGHT;
+  }
+
+  private int resolve(MovingCircle m) {
+    if (m.isMember() && !staticScene.obstacles.isSensor(m.next)) {
+      contact.meet(m, log);
+      return ObstacleResponse.NEW_FLIGHT;
+    }
+    int result = response.resolve(m, log);
+    if (result == ObstacleResponse.STUCK && staticScene.obstacles.areMoving()) {
+      cluster().resolve(log, m);
+    } else if (result == ObstacleResponse.JOIN) {
+      contact.join(m, log);
+    }
+    return result;
+  }
+
   /** Resolves what a moving obstacle squeezes. */
   private ContactCluster cluster() {
     if (cluster == null) {
-      PairResponse pairs = new PairResponse(registry, response.settling);
+      PairResponse pairs = new PairResponse(registry, response);
       ObstacleTable obstacles = staticScene.obstacles;
       cluster = new ContactCluster(registry, pairs, response, obstacles, new Solitude());
     }
@@ -211,6 +249,37 @@ public final class IndependentEngine extends Engine {
   }
 
   @Override
+  void leaveContact(MovingCircle m, double now) {
+    if (m.isMember()) {
+      contact.leave(m, now);
+      circles.storeAndSetDue(m.id, m);
+    }
+  }
+
+  /** Members near a thing that changes begin anew. */
+  @Override
+  void noteContact(int code, double now) {
+    if (!gravity.acts() || Codes.isCircle(code)) {
+      return;
+    }
+    contact.changed();
+    MovingCircle m = circles.body;
+    LiveCodes present = registry.present();
+    for (int k = 0; k < present.size(); k++) {
+      int i = present.get(k);
+      if (registry.contains(i) && circles.isMember(i)) {
+        circles.load(i);
+        if (contact.isNear(m, code, now)) {
+          contact.leave(m, now);
+          m.newFlight();
+          release(m);
+          beginFlight(m);
+        }
+      }
+    }
+  }
+
+  @Override
   void beginFlight(MovingCircle m) {
     if (m.id == circles.count) {
       circles.add();
@@ -220,6 +289,12 @@ public final class IndependentEngine extends Engine {
     if (recorder != null) {
       recorder.add(m, m.t);
     }
+  }
+
+  @Override
+  public void restore(FlightTable flights, double now, double tailOfEdit) {
+    contact.changed();
+    super.restore(flights, now, tailOfEdit);
   }
 
   /** Circles ignore each other, so only the circle's own events must precede an edit. */

@@ -8,6 +8,7 @@ import dev.carom.internal.state.FlightRow;
 import dev.carom.internal.state.LiveCodes;
 import dev.carom.internal.state.MovingCircle;
 import dev.carom.internal.util.Index;
+import dev.carom.internal.util.IntList;
 
 /**
  * The broad phase of moving circles: a hierarchical grid, with a level for each of the {@link
@@ -413,6 +414,41 @@ public final class NeighborGrid {
       }
     }
     return end;
+  }
+
+  /**
+   * Adds the circles that may be nearer to a place than a given distance, each once.
+   *
+   * @param distance from the place to the circle, not to its centre
+   */
+  void addNear(double x, double y, double distance, IntList into) {
+    for (int level = 0; level < levels; level++) {
+      double half = distance + sizes.radii[level] + sizes.slack();
+      CellGrid grid = own[level].cells;
+      CellAxis axis = axes[level];
+      double left = axis.cell(x - originX - half);
+      double bottom = axis.cell(y - originY - half);
+      double columns = axis.cell(x - originX + half) - left + 1;
+      double rows = axis.cell(y - originY + half) - bottom + 1;
+      int width = (int) Math.min(columns, grid.columns());
+      int height = (int) Math.min(rows, grid.rows());
+      for (int row = 0; row < height; row++) {
+        for (int column = 0; column < width; column++) {
+          int cell = grid.cell(wrapped(left) + column, wrapped(bottom) + row);
+          addListed(level, grid.first(cell), into);
+        }
+      }
+    }
+  }
+
+  private void addListed(int level, int first, IntList into) {
+    for (int i = first; i != Index.NONE; ) {
+      into.add(i);
+      i =
+          levels == 1
+              ? codes[CircleTable.collidingCodesAt(i) + CircleTable.FOLLOWER]
+              : own[level].next(i);
+    }
   }
 
   /** The cells of a circle's own level. */

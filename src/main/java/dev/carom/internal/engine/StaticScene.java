@@ -12,6 +12,7 @@ import dev.carom.internal.state.EngineOptions;
 import dev.carom.internal.state.MovingCircle;
 import dev.carom.internal.state.ObstacleTable;
 import dev.carom.internal.state.SceneData;
+import dev.carom.internal.util.IntList;
 import java.util.Arrays;
 import java.util.function.IntToDoubleFunction;
 import java.util.stream.IntStream;
@@ -74,6 +75,11 @@ public final class StaticScene {
   /** The codes of all obstacles that may touch a circle at its position, and maybe of others. */
   int[] near(MovingCircle m) {
     return search.near(m, grid(m.id));
+  }
+
+  /** Adds the codes of obstacles near a circle, see {@link FlightSearch#addNear}. */
+  void addNear(MovingCircle m, double reach, double now, IntList into) {
+    search.addNear(m, grid(m.id), reach, now, into);
   }
 
   /** Whether a flight, if it never ended, would hit a line or a peg. */
@@ -149,10 +155,10 @@ public final class StaticScene {
       return;
     }
     m.lookahead = MovingCircle.EDITED_LOOKAHEAD;
-    while (m.next == MovingCircle.NOTHING && m.due() <= now) {
+    while (m.next == MovingCircle.NOTHING && m.known() <= now) {
       extend(m, now - m.t);
     }
-    if (m.due() > now) {
+    if (m.known() > now) {
       m.forgetPrediction(m.latestBy(now), Integer.MAX_VALUE);
     } else {
       m.forgetPrediction(m.cleared, sensedBefore(m.next));

@@ -4,6 +4,7 @@ package dev.carom.internal.io;
 import dev.carom.internal.state.CircleRegistry;
 import dev.carom.internal.state.Codes;
 import dev.carom.internal.state.ContactFlags;
+import dev.carom.internal.state.ContactRow;
 import dev.carom.internal.state.FlightTable;
 import dev.carom.internal.state.IgnoreList;
 import dev.carom.internal.state.MovingCircle;
@@ -13,6 +14,7 @@ import dev.carom.internal.state.ObstacleTable;
 import dev.carom.internal.state.SizeLimits;
 import dev.carom.internal.state.WorldState;
 import dev.carom.internal.util.Check;
+import dev.carom.internal.util.Index;
 
 /**
  * Tests whether a world can be in the state that a snapshot gives, one number after the other. A
@@ -164,10 +166,11 @@ final class SnapshotChecks {
       expectCode(isKnown(code) && (mayCrush || !IgnoreList.crushes(entry)), code);
     }
     expectCode(m.support == MovingCircle.NOTHING || isThere(m.support), m.support);
-    int left = m.leftLine;
-    expectCode(left == MovingCircle.NOTHING || (Codes.isLine(left) && isThere(left)), left);
-    int slow = m.slowContacts;
-    expect(slow <= MovingCircle.SLOW_LIMIT, "the slow contacts of a circle are ", slow);
+    expectCode(m.landing == MovingCircle.NOTHING || isThere(m.landing), m.landing);
+    if (m.isMember()) {
+      expect(m.contactRow != null, "the state of a circle in contact is ", Double.NaN);
+      member(m.contactRow);
+    }
     expect(MovingCircle.isStuckWeight(m.stuck), "the weight of impacts at one place is ", m.stuck);
     int exponent = m.speedExponent;
     expect(
@@ -179,6 +182,35 @@ final class SnapshotChecks {
     expect(!Double.isNaN(sensed), "a number of a circle is ", sensed);
     expect(m.sensedPartner >= MovingCircle.NOT_SENSED, "a partner is circle ", m.sensedPartner);
     expect(m.sensedCode >= 0, "codes sensed end with ", m.sensedCode);
+  }
+
+  /** Tests the {@link ContactRow} of a member. */
+  private void member(double[] row) {
+    boolean fits =
+        row.length >= ContactRow.SIZE && (row.length - ContactRow.SIZE) % ContactRow.PAIR == 0;
+    expect(fits, "the numbers of a circle in contact are ", row.length);
+    for (double number : row) {
+      Check.finite("a number of a circle in contact", number);
+    }
+    double end = row[ContactRow.END];
+    expect(row[ContactRow.TAU] >= 0 && row[ContactRow.DUE] >= end, "a tick ends at ", end);
+    double margin = row[ContactRow.MARGIN];
+    expect(margin >= 0, "the margin of a circle is ", margin);
+    for (int k = ContactRow.SIZE; k < row.length; k += ContactRow.PAIR) {
+      double other = row[k + ContactRow.OTHER];
+      double key = row[k + ContactRow.KEY];
+      boolean isPair =
+          other < 0
+              ? other == Index.NONE && isWhole(key, 0, 1L << 33) && isKnown((int) ((long) key >> 2))
+              : isWhole(other, 0, Integer.MAX_VALUE) && circles.slot((int) other) >= 0;
+      expect(isPair, "the other one of a pair is ", other);
+      boolean isFlags = isWhole(row[k + ContactRow.FLAGS], 0, 3);
+      expect(isFlags && row[k + ContactRow.IMPULSE] >= 0, "an impulse is ", row[k + 2]);
+    }
+  }
+
+  private static boolean isWhole(double x, double least, double most) {
+    return x >= least && x <= most && x == Math.rint(x);
   }
 
   /** Whether there is a circle of a code, or was an obstacle; walls need not be there. */

@@ -3,6 +3,7 @@ package dev.carom.internal.io;
 
 import dev.carom.internal.state.CircleRegistry;
 import dev.carom.internal.state.Codes;
+import dev.carom.internal.state.ContactRow;
 import dev.carom.internal.state.FlightTable;
 import dev.carom.internal.state.IgnoreList;
 import dev.carom.internal.state.ObstacleMotions;
@@ -34,7 +35,7 @@ final class SnapshotFields {
   /** "CAROM" and a zero byte, which no text contains. */
   private static final long MARK = 0x4341524F4D00L;
 
-  private static final int VERSION = 10;
+  private static final int VERSION = 11;
 
   private final FieldStream f;
 
@@ -142,7 +143,22 @@ final class SnapshotFields {
       numbers[k] = there ? f.numbers(numbers[k], count, FlightTable.width(k)) : null;
     }
     int[] codes = f.integers(given.codes, count, FlightTable.CODES);
-    return new FlightTable(numbers, codes, jams(given.jams, count));
+    IgnoreList[] jams = jams(given.jams, count);
+    return new FlightTable(numbers, codes, jams, contacts(given.contactRows, count));
+  }
+
+  /** The contact of all members, or only that there is none. */
+  private double[][] contacts(double[][] given, int count) throws IOException {
+    if (!f.flag(given != null)) {
+      return null;
+    }
+    List<double[]> rows = new ArrayList<>();
+    for (int i = 0; i < count; i++) {
+      double[] row = given == null || given[i] == null ? new double[0] : given[i];
+      int size = f.count(row.length, ContactRow.MOST);
+      rows.add(size == 0 ? null : f.numbers(row, 1, size));
+    }
+    return rows.toArray(double[][]::new);
   }
 
   /** The ignore lists of all circles, or only that no circle is jammed. */

@@ -30,8 +30,8 @@ final class CastTarget {
     x = circles.x(slot, now);
     y = circles.y(slot, now);
     r = circles.radius(slot);
-    vx = circles.vx(slot, now);
-    vy = circles.vy(slot, now);
+    vx = circles.flightX(slot, now);
+    vy = circles.flightY(slot, now);
     gx = circles.gx(slot);
     gy = circles.gy(slot);
     return this;

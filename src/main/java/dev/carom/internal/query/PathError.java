@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 package dev.carom.internal.query;
 
-import dev.carom.internal.response.Settling;
 import dev.carom.internal.state.Codes;
 import dev.carom.internal.state.MovingCircle;
 
@@ -33,15 +32,6 @@ public final class PathError {
 
   /** Two computations of one number in the same flight differ by less than this part of it. */
   private static final double SAME = 0x1p-20;
-
-  /**
-   * An inelastic bounce off something round that is no higher than this part of the distance of the
-   * centres may be one that the rules of gravity have made higher.
-   */
-  private static final double FAINT_HOP = 2 * Settling.LEAST_HOP;
-
-  /** An elastic one, in ulps of the coordinates. */
-  private static final double FAINT_ULPS = 8;
 
   private static final int HALVINGS = 60;
 
@@ -296,7 +286,7 @@ public final class PathError {
     double steeper = steeper(nx, ny, radius, delay);
     boolean isOrdered =
         delay == 0 || delay * steeper < dt || (isWall(code) && isWall(last)); // in either order
-    if (!isOrdered || isFaint(nx, ny, radius, e, x, y)) {
+    if (!isOrdered) {
       return false;
     }
     sum.of(errors);
@@ -323,18 +313,6 @@ public final class PathError {
     double rate = errors.velocity(-vy / speed, vx / speed) + length(gx, gy) * delay;
     double sine = Math.sqrt(1 - cosine * cosine) + across / radius + rate / speed;
     return cosine / Math.sqrt(1 - sine * sine);
-  }
-
-  /**
-   * Whether the bounce is so low that the circle may leave something round faster than it would.
-   */
-  private boolean isFaint(double nx, double ny, double radius, double e, double x, double y) {
-    double vn = vx * nx + vy * ny;
-    double along = vy * nx - vx * ny;
-    double pressure = -(gx * nx + gy * ny) - along * along / radius;
-    double height =
-        e < 1 ? FAINT_HOP * radius : FAINT_ULPS * Math.ulp(Math.max(Math.abs(x), Math.abs(y)));
-    return radius < Double.POSITIVE_INFINITY && e * vn * (e * vn) <= 2 * pressure * height;
   }
 
   /** Those of the velocity before the impact; that along an axis without acceleration is exact. */

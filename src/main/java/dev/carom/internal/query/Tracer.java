@@ -3,6 +3,7 @@ package dev.carom.internal.query;
 
 import dev.carom.internal.exact.ExactBudget;
 import dev.carom.internal.exact.ExactTime;
+import dev.carom.internal.response.LoneContact;
 import dev.carom.internal.response.ObstacleResponse;
 import dev.carom.internal.search.FlightSearch;
 import dev.carom.internal.search.Grid;
@@ -16,6 +17,7 @@ import dev.carom.internal.state.ObstacleTable;
 import dev.carom.internal.sweep.Fall;
 import dev.carom.internal.sweep.Hit;
 import dev.carom.internal.util.DoubleList;
+import dev.carom.internal.util.IntList;
 
 /** Follows one circle among obstacles at rest and in motion, with all its bounces. */
 public final class Tracer {
@@ -99,6 +101,7 @@ public final class Tracer {
   public TracedPath trace(MovingCircle body, double duration, int bounces, int most) {
     grid = index.grid(body.radius);
     ObstacleResponse response = new ObstacleResponse(obstacles, gravity, m -> search.near(m, grid));
+    LoneContact contact = new LoneContact(obstacles, null, gravity, this::addNear);
     DoubleList flights = new DoubleList();
     ImpactRows impacts = new ImpactRows(1);
     body.fall(gravity.x, gravity.y);
@@ -107,14 +110,20 @@ public final class Tracer {
     long before = work.bits();
     while (next(body, duration)) {
       int count = impacts.size();
-      if (count == bounces && !endsSlide(body)) {
+      if (count == bounces && !isNoImpact(body)) {
         return new TracedPath(flights, impacts, body.due(), true);
       }
       int done = flights.size() / TracedPath.FLIGHT - 1; // impacts and ends of slides
       if (done > 0 && done + work.impactsSince(before) >= most) {
         return new TracedPath(flights, impacts, body.t, false);
       }
-      response.resolve(body, impacts);
+      if (body.ticksNext()) {
+        contact.tick(body, impacts);
+      } else if (body.isMember()) {
+        contact.meet(body, impacts);
+      } else if (response.resolve(body, impacts) == ObstacleResponse.JOIN) {
+        contact.join(body, impacts);
+      }
       add(body, flights);
     }
     return new TracedPath(flights, impacts, duration, true);
@@ -124,16 +133,20 @@ public final class Tracer {
   private boolean next(MovingCircle body, double end) {
     do {
       search.extendPastSensors(body, grid, end - body.t);
-      if (body.due() <= end && body.next != MovingCircle.NOTHING) {
+      if (body.due() <= end && (body.next != MovingCircle.NOTHING || body.ticksNext())) {
         return true;
       }
     } while (body.due() <= end && body.cleared < Double.POSITIVE_INFINITY);
     return false;
   }
 
-  /** Whether what comes next is no impact: the circle leaves what it slides on. */
-  private static boolean endsSlide(MovingCircle body) {
-    return body.isSupported() && body.next == body.support;
+  /** Whether what comes next is no impact: a tick, or the end of what it slides on. */
+  private static boolean isNoImpact(MovingCircle body) {
+    return body.ticksNext() || (body.isCarried() && body.next == body.support);
+  }
+
+  private void addNear(MovingCircle m, double reach, double now, IntList into) {
+    search.addNear(m, grid, reach, now, into);
   }
 
   private static void add(MovingCircle m, DoubleList flights) {

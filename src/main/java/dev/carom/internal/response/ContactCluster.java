@@ -15,7 +15,6 @@ import java.util.LinkedHashSet;
 import java.util.List;
 import java.util.Map;
 import java.util.Set;
-import java.util.stream.Collectors;
 import java.util.stream.IntStream;
 
 /**
@@ -134,13 +133,6 @@ public final class ContactCluster {
     return m.jam != null && isCrushedByIgnored(m);
   }
 
-  /** All circles that may touch a circle, and maybe others, at its time. */
-  List<MovingCircle> circlesNear(MovingCircle m) {
-    return idsNear(m)
-        .mapToObj(id -> broughtTo(m, vicinity.copyOf(id)))
-        .collect(Collectors.toList());
-  }
-
   /** The circles that may touch a circle; none that ignores it. */
   private IntStream idsNear(MovingCircle m) {
     return IntStream.of(vicinity.circlesNear(m.id))
@@ -166,13 +158,8 @@ public final class ContactCluster {
     return m.id < 0;
   }
 
-  boolean isInfinite(MovingCircle m) {
+  private boolean isInfinite(MovingCircle m) {
     return isObstacle(m) || registry.mass(m.id) == INFINITE;
-  }
-
-  /** The mass of a circle, also of one that is held. */
-  double ownMass(MovingCircle m) {
-    return registry.mass(m.id);
   }
 
   private double mass(MovingCircle m) {
@@ -305,18 +292,14 @@ public final class ContactCluster {
   }
 
   private void report(Contact c, ImpactRows log) {
-    boolean isWithCircle = Codes.isCircle(c.touch.code());
-    report(members.get(c.a), c.touch, isWithCircle ? members.get(c.b) : null, log);
-    log.setOutcome(ImpactRows.JAMMED);
-  }
-
-  /** Writes a row for a touch of circle a with circle b, or with an obstacle if b is null. */
-  void report(MovingCircle a, Touch touch, MovingCircle b, ImpactRows log) {
-    if (b == null) {
-      response.report(a, touch, log);
-    } else {
+    MovingCircle a = members.get(c.a);
+    if (Codes.isCircle(c.touch.code())) {
+      MovingCircle b = members.get(c.b);
       pairs.report(a.id < b.id ? a : b, a.id < b.id ? b : a, log);
+    } else {
+      response.report(a, c.touch, log);
     }
+    log.setOutcome(ImpactRows.JAMMED);
   }
 
   private void change(InelasticShock shock, Set<MovingCircle> changed) {

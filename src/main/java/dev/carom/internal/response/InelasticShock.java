@@ -54,9 +54,6 @@ public final class InelasticShock {
   private final double[] nx;
   private final double[] ny;
 
-  /** The least speed at which the two sides of each contact part. */
-  private final double[] least;
-
   /** The root of 1/m1 + 1/m2 for each contact, and the impulse times this root. */
   private final double[] scale;
 
@@ -86,7 +83,6 @@ public final class InelasticShock {
     second = new int[mostContacts];
     nx = new double[mostContacts];
     ny = new double[mostContacts];
-    least = new double[mostContacts];
     impulse = new double[mostContacts];
     scale = new double[mostContacts];
     gradient = new double[mostContacts];
@@ -110,20 +106,10 @@ public final class InelasticShock {
    * @param ny the y component of the unit normal
    */
   void addContact(int a, int b, double nx, double ny) {
-    addContact(a, b, nx, ny, 0);
-  }
-
-  /**
-   * The same for a contact whose sides part by a least speed.
-   *
-   * @param least that speed
-   */
-  void addContact(int a, int b, double nx, double ny, double least) {
     first[contacts] = a;
     second[contacts] = b;
     this.nx[contacts] = nx;
     this.ny[contacts] = ny;
-    this.least[contacts] = least;
     contacts++;
   }
 
@@ -133,68 +119,21 @@ public final class InelasticShock {
    * @return false if some contact still approaches after the allowed steps
    */
   boolean resolve() {
-    return resolve(0);
-  }
-
-  /**
-   * The same where some approach is of no account.
-   *
-   * @param most the largest approach in the result, if it is more than rounding
-   */
-  boolean resolve(double most) {
     scale();
-    double tolerance = Math.max(TOLERANCE, Math.scalb(most, -exponent));
     double shortStep = 1 / bound();
     boolean resolved = false;
     int steps = STEPS + STEPS_EACH * contacts;
     double residual = differentiate();
     follow();
     for (int step = 0; step < steps && residual > LEAST && !unbounded; step++) {
-      if (residual <= tolerance && !resolved) {
+      if (residual <= TOLERANCE && !resolved) {
         resolved = true;
         steps = step + step / 4 + 4; // what comes to rest, does so to the last place
       }
       residual = relax(shortStep);
     }
     dropNoise();
-    return resolved || residual <= tolerance;
-  }
-
-  /**
-   * Looks for impulses that leave nearly nothing of the velocities of some circles. It ends when it
-   * has found them, or velocities that it can make no smaller.
-   *
-   * @param stays which circles
-   * @param small the largest component that counts as nothing, in units of {@link #speed}
-   * @param tolerance the largest approach with which it may end, in the same units
-   * @return whether it has found them
-   */
-  boolean balance(boolean[] stays, double small, double tolerance) {
-    scale();
-    double shortStep = 1 / bound();
-    int most = STEPS + STEPS_EACH * contacts;
-    double residual = differentiate();
-    follow();
-    boolean balanced = areSmall(stays, small);
-    for (int step = 0; step < most && residual > tolerance && !unbounded && !balanced; step++) {
-      residual = relax(shortStep);
-      balanced = areSmall(stays, small);
-    }
-    return balanced;
-  }
-
-  private boolean areSmall(boolean[] stays, double small) {
-    for (int i = 0; i < vx.length; i++) {
-      if (stays[i] && !isSmall(i, small)) {
-        return false;
-      }
-    }
-    return true;
-  }
-
-  /** Whether nearly nothing is left of the velocity of a circle, see {@link #balance}. */
-  boolean isSmall(int i, double small) {
-    return Math.max(Math.abs(vx[i]), Math.abs(vy[i])) <= small;
+    return resolved || residual <= TOLERANCE;
   }
 
   /** One step of the relaxation; returns the largest violation. */
@@ -364,16 +303,10 @@ public final class InelasticShock {
     for (int i = 0; i < vx.length; i++) {
       largest = Math.max(largest, Math.max(Math.abs(vx[i]), Math.abs(vy[i])));
     }
-    for (int k = 0; k < contacts; k++) {
-      largest = Math.max(largest, least[k]);
-    }
     exponent = largest == 0 ? 0 : Math.getExponent(largest);
     for (int i = 0; i < vx.length; i++) {
       vx[i] = Math.scalb(vx[i], -exponent);
       vy[i] = Math.scalb(vy[i], -exponent);
-    }
-    for (int k = 0; k < contacts; k++) {
-      least[k] = Math.scalb(least[k], -exponent);
     }
   }
 
@@ -393,13 +326,13 @@ public final class InelasticShock {
     }
   }
 
-  /** The speed at which the two sides of a contact part, less the least, in units of 2^exponent. */
+  /** The speed at which the two sides of a contact part, in units of 2^exponent. */
   private double separation(int k) {
     int a = first[k];
     int b = second[k];
     double ux = vx[a] - (b == OBSTACLE ? 0 : vx[b]);
     double uy = vy[a] - (b == OBSTACLE ? 0 : vy[b]);
-    return ux * nx[k] + uy * ny[k] - least[k];
+    return ux * nx[k] + uy * ny[k];
   }
 
   /** Sets velocities to 0 that are mere rounding beside the largest one. */

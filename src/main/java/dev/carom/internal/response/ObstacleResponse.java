@@ -8,7 +8,6 @@ import dev.carom.internal.state.ImpactRows;
 import dev.carom.internal.state.MovingCircle;
 import dev.carom.internal.state.ObstacleTable;
 import dev.carom.internal.util.Part;
-import java.util.List;
 import java.util.function.Function;
 import java.util.function.Predicate;
 
@@ -37,6 +36,9 @@ public final class ObstacleResponse {
   /** A new flight of a stuck circle: all its contacts are to be resolved at once. */
   public static final int STUCK = 2;
 
+  /** The circle joins those in contact under gravity, see {@link ContactCore}. */
+  public static final int JOIN = 3;
+
   private final ObstacleTable obstacles;
   private final Impulse impulse = new Impulse();
 
@@ -54,7 +56,8 @@ public final class ObstacleResponse {
   /** Tells of a jammed circle whether something that crushed it is still upon it. */
   private Predicate<MovingCircle> isCrushed;
 
-  public final Settling settling;
+  final Sliding sliding;
+  final ImpactRule rule;
 
   /** The codes of obstacles that a circle may touch, ascending. */
   private final Function<MovingCircle, int[]> near;
@@ -63,30 +66,22 @@ public final class ObstacleResponse {
       ObstacleTable obstacles, Gravity gravity, Function<MovingCircle, int[]> near) {
     this.near = near;
     this.obstacles = obstacles;
-    settling = new Settling(obstacles, gravity, near);
+    sliding = new Sliding(obstacles, gravity);
+    rule = new ImpactRule(gravity);
     point = new ContactPoint(obstacles);
     isCrushed = m -> Touch.isCrushed(m, obstacles);
   }
 
-  /** Lets a cluster tell of crushed circles, and of circles that touch: it knows them all. */
+  /** Lets a cluster tell of crushed circles: it knows all of them. */
   public void ask(ContactCluster cluster) {
     isCrushed = cluster::isCrushed;
-    settling.escape.ask(cluster);
-  }
-
-  /**
-   * The circles that gave way since the last call to one that something pushes, at the start of
-   * their new flights.
-   */
-  public List<MovingCircle> takeYielded() {
-    return settling.escape.takeYielded();
   }
 
   /**
    * Advances a circle to its next impact, changes its velocity, and writes the impact into the log.
    * With a sensor it only writes.
    *
-   * @return what follows: SENSED, NEW_FLIGHT or STUCK
+   * @return what follows: SENSED, NEW_FLIGHT, STUCK or JOIN
    */
   public int resolve(MovingCircle m, ImpactRows log) {
     int code = m.next;
@@ -97,9 +92,8 @@ public final class ObstacleResponse {
     boolean falls = m.isFalling();
     point.startAt(m);
     flown = m.advance(m.cleared);
-    if (falls && code == m.support) {
-      slideOff(m);
-      return NEW_FLIGHT;
+    if (falls) {
+      return code == m.support ? endSlide(m) : resolveFalling(m, code, log);
     }
     double vn = report(m, code, m.t, log);
     if (obstacles.moves(code) && m.jam != null) {
@@ -108,10 +102,6 @@ public final class ObstacleResponse {
         return NEW_FLIGHT;
       }
       m.forgetCrushers();
-    }
-    if (falls) {
-      bounce(m, code, vn, log);
-      return NEW_FLIGHT;
     }
     double e = m.restitution * obstacles.restitution(code);
     double speed = Math.abs(sx) + Math.abs(sy);
@@ -138,132 +128,100 @@ public final class ObstacleResponse {
     return stuck && !faint ? STUCK : NEW_FLIGHT;
   }
 
-  /** At an end of the line on which it slides, a circle goes on along another one, or falls. */
-  private void slideOff(MovingCircle m) {
+  /**
+   * At the end of a side a circle slides on along one in line with it, flies off, or joins, to roll
+   * over the end.
+   */
+  private int endSlide(MovingCircle m) {
     int line = m.support;
-    m.last = line;
+    m.jam = null;
     m.newFlight();
-    m.ignoreCirclesOnly();
+    ImpactRule.count(m, flown * (Math.abs(m.vx) + Math.abs(m.vy)), false, false);
+    boolean isMany = m.stuck > ContactLaw.IMPACTS;
     for (int code : near.apply(m)) {
-      if (code != line && settling.slidesOnto(m, code)) {
-        return;
+      if (code != line && !isMany && sliding.slidesOnto(m, code)) {
+        return NEW_FLIGHT;
       }
     }
-    settling.fall(m);
-    m.leftLine = line;
+    return sliding.fliesOff(m) ? NEW_FLIGHT : JOIN;
   }
 
   /**
-   * Changes the velocity of a circle that falls or slides. Bounces on one thing follow each other
-   * without end; {@link Settling} ends them. Other impacts at one place are counted.
+   * Whether a circle passes something where rounding would lead it again and again: it slides level
+   * with its side, or flies off where another side ends, too. A sliding circle may slide on along
+   * that if its own side ends there.
    */
-  private void bounce(MovingCircle m, int code, double vn, ImpactRows log) {
-    double e = m.restitution * obstacles.restitution(code);
-    double reach = ObstacleTable.part(code, m.contact) == Part.SIDE ? 0 : reach(m, code);
-    if (slidesPast(m, code, vn, reach)) {
-      m.newFlight();
-      m.jam = IgnoreList.with(m.jam, code); // else rounding would lead it there again and again
-      return;
-    }
-    boolean again = code == m.last && isFaint(vn) && hasHardlyMoved(m);
-    if (code == m.last) {
-      m.leavePlace();
-    } else {
-      count(m, vn, e);
-    }
-    m.last = code;
-    m.newFlight();
-    m.ignoreCirclesOnly();
-    if (StuckRule.isStuck(m)) {
-      if (e < 1 && (m.pushed || obstacles.areMoving()) && settling.escape.escapes(log, m)) {
-        return;
-      }
-      boolean pushes = point.ux != 0 || point.uy != 0;
-      m.jam = pushes ? IgnoreList.crushedBy(m.jam, code) : m.jam;
-      Settling.pin(m);
-      log.setOutcome(ImpactRows.JAMMED);
-      return;
-    }
-    change(m, code, vn, e, log);
-    settling.settle(m, code, point, reach, e, log);
-    if (again && !m.isSupported()) {
-      leaveByRounding(m);
-    }
-  }
-
-  /**
-   * Whether a circle passes something at rest as if that were not there. Either it is level with
-   * what the circle slides on. Or the circle just slid off the end of a line, and meets another
-   * line that ends there.
-   */
-  private boolean slidesPast(MovingCircle m, int code, double vn, double reach) {
-    if (obstacles.moves(code)) {
+  private boolean passes(MovingCircle m, int code, double approach) {
+    boolean faint = StuckRule.isFaint(approach, Math.abs(sx) + Math.abs(sy));
+    boolean slides = m.isCarried() && sliding.isLevel(m, point.nx, point.ny);
+    boolean leaves = flewOff(m) && sliding.leavesEnd(m, code);
+    if (!faint || m.stuck > ContactLaw.IMPACTS || !(slides || leaves)) {
       return false;
     }
-    if (m.isSupported()) {
-      return m.support != code
-          && !obstacles.moves(m.support)
-          && (isLevel(m, vn, reach) || (isFaint(vn) && !isPressed(m)));
+    m.stuck++;
+    m.newFlight();
+    if (leaves || !sliding.isAtEnd(m, m.support) || !sliding.slidesOnto(m, code)) {
+      m.jam = IgnoreList.with(m.jam, code);
     }
-    return m.leftLine != MovingCircle.NOTHING
-        && m.leftLine != code
-        && isFaint(vn)
-        && hasHardlyMoved(m)
-        && settling.endsHere(m, code);
+    return true;
   }
 
-  /** Whether gravity presses a sliding circle against what it meets. */
-  private boolean isPressed(MovingCircle m) {
-    double pressure = -ScaledVectors.dot(m.gx, m.gy, point.nx, point.ny);
-    double pull = Math.abs(m.gx) + Math.abs(m.gy);
-    double scale = Math.abs(point.nx) + Math.abs(point.ny);
-    return pressure > 0 && !StuckRule.isFaint(pressure / scale, pull);
-  }
-
-  /** Whether a sliding circle would rise by no more than rounding over something round. */
-  private boolean isLevel(MovingCircle m, double vn, double reach) {
-    // At most sqrt(2) times the speed, so the square of this sine is at least half of that of the
-    // turn. The bump is reach (1 - cos) high, half of reach sine^2: no more than what is compared.
-    double speed = Math.abs(sx) + Math.abs(sy);
-    double sine = vn / (StrictMath.hypot(point.nx, point.ny) * speed);
-    return reach > 0 && settling.isLevel(m, sine * sine * reach);
-  }
-
-  /** Whether a circle moved by no more than rounding since its last impact. */
-  private boolean hasHardlyMoved(MovingCircle m) {
-    return flown * (Math.abs(sx) + Math.abs(sy)) <= StuckRule.widthOfPlace(m);
+  /** Whether a circle flew off an end of the line that it slid on, and has hit nothing since. */
+  private static boolean flewOff(MovingCircle m) {
+    return m.landing != MovingCircle.NOTHING && m.landing == m.last;
   }
 
   /**
-   * Lets a circle leave by the least that is more than rounding. It met one thing again at once,
-   * and approached by so little that no response shows.
+   * Whether a sliding circle that meets another side leaves its own: then it is on that one only. A
+   * slow one joins, since it may come back and back, as between the sides of a V.
    */
-  private void leaveByRounding(MovingCircle m) {
-    double length = StrictMath.hypot(point.nx, point.ny);
-    double least = StuckRule.ROUNDED_SPEED * (Math.abs(sx) + Math.abs(sy));
-    m.vx += least * (point.nx / length);
-    m.vy += least * (point.ny / length);
+  private boolean changesSide(MovingCircle m) {
+    double slow = rule.slow(m.radius);
+    return sx * sx + sy * sy >= slow * slow && sliding.opensBy(m, point.nx, point.ny);
   }
 
-  /** Whether an approach is no more than the rounding of the speed; vn is its product with n. */
-  private boolean isFaint(double vn) {
-    double approach = vn / (Math.abs(point.nx) + Math.abs(point.ny));
-    return StuckRule.isFaint(approach, Math.abs(sx) + Math.abs(sy));
-  }
-
-  /** The distance of the centre of a circle from that of something round that it touches. */
-  private double reach(MovingCircle m, int code) {
-    return m.radius + obstacles.radius(code);
-  }
-
-  /** Counts an impact of a falling circle at one place, which is not wider than rounding. */
-  private void count(MovingCircle m, double vn, double e) {
-    double speed = Math.abs(sx) + Math.abs(sy);
-    double approach = vn / (Math.abs(point.nx) + Math.abs(point.ny));
-    double speeds = Math.abs(m.vx) + Math.abs(m.vy) + Math.abs(point.ux) + Math.abs(point.uy);
-    double pushed = e < 1 ? StuckRule.FALLING_PLACE : StuckRule.pushedPlace(obstacles.areMoving());
-    StuckRule.countFalling(m, flown * speed, speeds, approach, e, pushed);
-    m.pushed |= point.ux * point.nx + point.uy * point.ny > 0;
+  /** Resolves an impact of a circle that falls or slides, by the {@link ImpactRule}. */
+  private int resolveFalling(MovingCircle m, int code, ImpactRows log) {
+    double vn = report(m, code, m.t, log);
+    double e = m.restitution * obstacles.restitution(code);
+    double length = Math.sqrt(point.nx * point.nx + point.ny * point.ny);
+    double approach = -vn / length;
+    double pull = (m.gx * point.nx + m.gy * point.ny) / length;
+    if (passes(m, code, approach)) {
+      log.removeLast();
+      return NEW_FLIGHT;
+    }
+    boolean onSide = ObstacleTable.part(code, m.contact) == Part.SIDE;
+    boolean changesSide = onSide && m.isCarried() && changesSide(m);
+    if (changesSide) {
+      pull = sliding.pull(point.nx, point.ny) / length;
+    }
+    boolean onEnd = !onSide && !flewOff(m) && sliding.isSquare(m, code, point.nx, point.ny);
+    boolean flat = changesSide || (!m.isCarried() && (onSide || onEnd));
+    boolean lands = flat && m.landing == code && approach < rule.slow(m.radius);
+    boolean pushes = point.ux * point.nx + point.uy * point.ny > 0;
+    ImpactRule.count(m, flown * (Math.abs(sx) + Math.abs(sy)), code == m.last, pushes);
+    int what = lands ? ImpactRule.SLIDE : rule.of(m, flat, e, approach, pull);
+    m.landing = MovingCircle.NOTHING;
+    m.last = code;
+    m.jam = null;
+    m.newFlight();
+    boolean isSlow = approach < rule.slow(m.radius);
+    if (what == ImpactRule.BOUNCE || (what == ImpactRule.JOIN && !isSlow)) {
+      change(m, code, vn, e, log);
+      sliding.goOn(m, point.nx, point.ny);
+    }
+    if (what == ImpactRule.BOUNCE) {
+      m.settled &= isSlow;
+      return NEW_FLIGHT;
+    }
+    ImpactRule.mark(m, isSlow, log);
+    if (what == ImpactRule.SLIDE && onSide) {
+      sliding.slide(m, code, point.nx, point.ny);
+    } else if (what == ImpactRule.SLIDE) {
+      sliding.slideFromEnd(m, code, point.nx, point.ny);
+    }
+    return what == ImpactRule.SLIDE ? NEW_FLIGHT : JOIN;
   }
 
   /**

@@ -33,7 +33,8 @@ public final class PairResponse {
 
   private final CircleRegistry registry;
   private final Impulse impulse = new Impulse();
-  private final Settling settling;
+  private final Sliding sliding;
+  private final ImpactRule rule;
 
   // The current collision: u / 2^fast, n, and u.n.
   private int fast;
@@ -47,12 +48,10 @@ public final class PairResponse {
   private double flownA;
   private double flownB;
 
-  /** The frozen one of the two, if what hits it is too slow to free it; else null. */
-  private MovingCircle peg;
-
-  public PairResponse(CircleRegistry registry, Settling settling) {
+  public PairResponse(CircleRegistry registry, ObstacleResponse response) {
     this.registry = registry;
-    this.settling = settling;
+    sliding = response.sliding;
+    rule = response.rule;
   }
 
   /** Whether the filters of circles i and j let them meet. */
@@ -114,7 +113,7 @@ public final class PairResponse {
 
   /** Whether there may be circles whose contacts are only reported. */
   public boolean haveSilent() {
-    return registry.hasTraits() || registry.hasInfinite();
+    return registry.hasTraits() || registry.haveInfinite();
   }
 
   /** Whether a contact of circles i and j is reported and changes nothing. */
@@ -154,7 +153,6 @@ public final class PairResponse {
       ImpactRows log) {
     this.flownA = flownA;
     this.flownB = flownB;
-    peg = null;
     measure(a, b, tau);
     boolean halt = registry.halts(a.id) || registry.halts(b.id);
     double e = halt ? 0 : a.restitution * b.restitution;
@@ -174,8 +172,7 @@ public final class PairResponse {
       return ObstacleResponse.NEW_FLIGHT;
     }
     if (mayFall && (a.isFalling() || b.isFalling())) {
-      bounce(a, b, e, halt, log);
-      return ObstacleResponse.NEW_FLIGHT;
+      return resolveFalling(a, b, e, halt, log);
     }
     double approach = un / (Math.abs(nx) + Math.abs(ny));
     count(a, flownA, b, massB, e, approach);
@@ -203,135 +200,43 @@ public final class PairResponse {
   }
 
   /**
-   * Changes the velocities of two circles of which one falls, slides or rests. They leave each
-   * other by a least speed; so only what does not give way can make one of them stuck. A circle
-   * that is frozen is a peg for what comes slowly; what comes faster frees it. Between elastic
-   * circles only a jammed one is a peg: each blow would else begin its impacts anew.
+   * Resolves an impact of two circles under gravity, by the {@link ImpactRule}. A circle that meets
+   * a member joins at any speed.
    */
-  private void bounce(MovingCircle a, MovingCircle b, double e, boolean halt, ImpactRows log) {
-    double approach = un / (Math.abs(nx) + Math.abs(ny));
-    boolean mayEnd = e < 1 || isJammed(a) || isJammed(b);
-    boolean slow = mayEnd && settling.isSlow(a, b, -un / length());
-    if (slow) {
-      peg = isPeg(a, b) ? a : isPeg(b, a) ? b : null;
+  private int resolveFalling(
+      MovingCircle a, MovingCircle b, double e, boolean halt, ImpactRows log) {
+    double length = Math.sqrt(nx * nx + ny * ny);
+    double approach = -un / length;
+    double pull = ((a.gx - b.gx) * nx + (a.gy - b.gy) * ny) / length;
+    double speed = scaled(Math.abs(ux) + Math.abs(uy), fast);
+    ImpactRule.count(a, flownA * speed, false, mass(b) == INFINITE && b.vx * nx + b.vy * ny > 0);
+    ImpactRule.count(b, flownB * speed, false, mass(a) == INFINITE && a.vx * nx + a.vy * ny < 0);
+    a.landing = MovingCircle.NOTHING;
+    b.landing = MovingCircle.NOTHING;
+    boolean hasMember = a.isMember() || b.isMember();
+    boolean joins = hasMember || rule.of(a, b, e, approach, pull) == ImpactRule.JOIN;
+    boolean isSlow = approach < rule.slow(Math.min(a.radius, b.radius));
+    if (un < 0 && !hasMember && !(joins && isSlow)) {
+      change(a, mass(a), b, mass(b), halt, log);
+      sliding.goOn(a, nx, ny);
+      sliding.goOn(b, nx, ny);
     }
-    countFalling(a, flownA, b, e, approach, 1);
-    countFalling(b, flownB, a, e, approach, -1);
-    if (un < 0) {
-      changeFalling(a, b, slow, halt, log);
+    if (joins) {
+      boolean known = (a.isMember() || a.settled) && (b.isMember() || b.settled);
+      a.settled = isSlow;
+      b.settled = isSlow;
+      if (isSlow && known) {
+        log.removeLast();
+      } else if (isSlow) {
+        log.setOutcome(ImpactRows.SETTLED);
+      }
+      return ObstacleResponse.JOIN;
     }
-    if (peg != null || !leavesFast(a, b)) {
-      leaveAtLeast(a, b, nx / length(), ny / length(), e);
-    }
+    a.settled = false;
+    b.settled = false;
     beginFlight(a, b);
     beginFlight(b, a);
-    boolean aJammed = crush(a, b, e, log);
-    boolean bJammed = crush(b, a, e, log);
-    if (aJammed || bJammed) {
-      log.setOutcome(ImpactRows.JAMMED);
-    }
-    goOn(a, aJammed, slow);
-    goOn(b, bJammed, slow);
-  }
-
-  private boolean isPeg(MovingCircle m, MovingCircle other) {
-    return m.isFrozen() && mass(other) < INFINITE;
-  }
-
-  /**
-   * Changes the velocities of two circles that approach. Between two things that are frozen, a
-   * faint bounce would be followed by others without end. So would a faint halt at one time, which
-   * stops the motion that both share.
-   */
-  private void changeFalling(
-      MovingCircle a, MovingCircle b, boolean slow, boolean halt, ImpactRows log) {
-    boolean faint = slow && -un <= Settling.ROUNDING * speeds(a, b) * length();
-    if (faint) {
-      impulse.of(1, ux, uy, nx, ny);
-    }
-    boolean again = faint && flownA == 0 && flownB == 0;
-    change(a, mass(a), b, mass(b), halt && !again, log);
-    if (halt && again) {
-      log.setOutcome(ImpactRows.HALTED);
-    }
-  }
-
-  /** Whether a circle is frozen where it was stuck. */
-  private static boolean isJammed(MovingCircle m) {
-    return isStuck(m) && m.isFrozen();
-  }
-
-  /** The length of the normal. */
-  private double length() {
-    return StrictMath.hypot(nx, ny);
-  }
-
-  /** Whether two circles certainly leave each other by more than the least speed of any two. */
-  private boolean leavesFast(MovingCircle a, MovingCircle b) {
-    double x = (a.vx - b.vx) * nx;
-    double y = (a.vy - b.vy) * ny;
-    return settling.isFast(x, y, nx, ny, a.radius + b.radius);
-  }
-
-  /** Lets two circles leave each other by a least speed, along the unit normal k. */
-  private void leaveAtLeast(MovingCircle a, MovingCircle b, double kx, double ky, double e) {
-    double out = (a.vx - b.vx) * kx + (a.vy - b.vy) * ky;
-    double reach = a.radius + b.radius;
-    double least;
-    if (peg == a) {
-      least = settling.leastSpeed(b, -kx, -ky, reach, out, e);
-    } else if (peg == b) {
-      least = settling.leastSpeed(a, kx, ky, reach, out, e);
-    } else {
-      least = settling.leastSpeed(a, b, out, e);
-    }
-    if (out < least) {
-      impulse.of(1, (out - least) * kx, (out - least) * ky, nx, ny);
-      push(a, -1, mass(b), mass(a), nx, ny);
-      push(b, 1, mass(a), mass(b), nx, ny);
-    }
-  }
-
-  /** Decides how a circle goes on after a collision, and counts a slow one. */
-  private void goOn(MovingCircle m, boolean jammed, boolean slow) {
-    if (m != peg && !jammed) {
-      settling.afterPair(m);
-      m.slowContacts =
-          settling.mayRest(m) ? m.slowContacts + (slow ? 1 : 0) : Math.min(m.slowContacts, 0);
-    }
-  }
-
-  /** Counts an impact of a circle that falls. A jammed one that acts as a peg stays stuck. */
-  private void countFalling(
-      MovingCircle m, double flown, MovingCircle other, double e, double approach, int sign) {
-    if (m.isCrushed() || !m.isFalling() || (m == peg && isJammed(m))) {
-      return;
-    }
-    double way = flown * (Math.abs(m.vx - other.vx) + Math.abs(m.vy - other.vy));
-    if (mass(other) == INFINITE || m.pushed || other.pushed) {
-      StuckRule.countFalling(m, way, speeds(m, other), approach, e, StuckRule.PUSHED_PLACE);
-      m.pushed |= sign * (other.vx * nx + other.vy * ny) > 0;
-    } else {
-      StuckRule.countFallingPair(m, way, speeds(m, other), e);
-    }
-  }
-
-  /**
-   * Stops a circle that is stuck between things which do not give way, and cannot escape them.
-   * Returns whether it did.
-   */
-  private boolean crush(MovingCircle m, MovingCircle other, double e, ImpactRows log) {
-    if (!isStuck(m) || !m.isFalling() || mass(other) < INFINITE) {
-      return false;
-    }
-    if (e < 1 && settling.escape.escapes(log, m, other)) {
-      return false;
-    }
-    if (other != peg) {
-      m.jam = IgnoreList.crushedBy(m.jam, Codes.circle(other.id));
-    }
-    Settling.pin(m);
-    return true;
+    return ObstacleResponse.NEW_FLIGHT;
   }
 
   /** Begins a flight after a crushed circle met another infinite mass: they ignore each other. */
@@ -342,9 +247,9 @@ public final class PairResponse {
     beginFlight(m, other);
   }
 
-  /** The mass of a circle in a collision: infinite if it is crushed, or the peg. */
+  /** The mass of a circle in a collision: infinite if it is crushed. */
   double mass(MovingCircle m) {
-    return m.isCrushed() || m == peg ? INFINITE : registry.mass(m.id);
+    return m.isCrushed() ? INFINITE : registry.mass(m.id);
   }
 
   private static boolean isStuck(MovingCircle m) {

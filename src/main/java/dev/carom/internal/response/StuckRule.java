@@ -26,10 +26,7 @@ import dev.carom.internal.state.MovingCircle;
  *   <li><b>Pushed circles.</b> An infinite mass or a moving obstacle that pushes a circle against
  *       another thing leaves it less room with each impact: infinitely many impacts, even at
  *       restitution 1. For such a circle 2^-10 of the radius is one place, or 2^-6 in scenes with
- *       moving obstacles; 2^-14 if it falls, for impacts with obstacles that are not elastic.
- *   <li><b>Falling circles.</b> An impact with a circle of finite mass ends a round: the weight of
- *       impacts with obstacles starts anew. But after 16,384 rounds or impacts with circles at one
- *       place, or 1,024 elastic rounds, the circle is stuck, too.
+ *       moving obstacles.
  * </ul>
  */
 public final class StuckRule {
@@ -52,16 +49,6 @@ public final class StuckRule {
   /** The weight of an impact that approaches by no more than rounding. */
   private static final int FAINT = LIMIT / 32;
 
-  /**
-   * The weight of a round of a falling circle, or of an impact with a circle that follows one with
-   * a circle. The circle is stuck when these weights add up to {@link #ELASTIC}. A light ball
-   * between heavy ones makes thousands of rounds until they move alike.
-   */
-  private static final int ROUND = ELASTIC / 16_384;
-
-  /** The same for a round that ends with an elastic impact, of which few are needed. */
-  private static final int ELASTIC_ROUND = ELASTIC / 1024;
-
   private static final double LN_2 = 0.6931471805599453;
 
   /** The width of a place, as a part of the circle's coordinates. */
@@ -79,13 +66,6 @@ public final class StuckRule {
    * halves, and twice as many with each further half.
    */
   private static final double MOVED_PLACE = 0x1p-6;
-
-  /**
-   * The same for a circle that falls, where its impacts with obstacles are not elastic: less than
-   * its hops, which leave it room. It soon is as slow as what pushes it, so it makes few impacts
-   * until there is no room.
-   */
-  static final double FALLING_PLACE = 0x1p-14;
 
   /** The part of its coordinates by which rounding can move a circle: 4 ulps of 1..2 are 2^-50. */
   private static final double ROUNDED = 0x1p-51;
@@ -131,51 +111,6 @@ public final class StuckRule {
       m.leavePlace();
       m.speedExponent = exponent;
     }
-  }
-
-  /**
-   * Counts an impact of a circle that falls. Its place is no wider than rounding: in a wider one
-   * gravity would bring it somewhere else.
-   */
-  static void countFalling(
-      MovingCircle m, double way, double speed, double approach, double e, double pushed) {
-    int exponent = exponent(speed);
-    boolean isHere = isHere(m, way);
-    if (isHere || (m.pushed && way <= pushed * m.radius)) {
-      m.speedExponent = Math.max(m.speedExponent, exponent);
-      add(m, withoutRounds(isHere && isFaint(m, approach) ? FAINT : weight(e, ELASTIC)));
-    } else {
-      m.leavePlace();
-      m.speedExponent = exponent;
-    }
-  }
-
-  /**
-   * Counts an impact of a falling circle with a circle of finite mass, which gives way. So the
-   * weight of the impacts with obstacles before it starts anew: in a corner each blow of a ball
-   * leads to some. But it ends a <i>round</i>, and rounds are counted: in the part of the weight
-   * below that of an elastic impact.
-   */
-  static void countFallingPair(MovingCircle m, double way, double speed, double e) {
-    int exponent = exponent(speed);
-    if (isHere(m, way)) {
-      m.speedExponent = Math.max(m.speedExponent, exponent);
-      int rounds = m.stuck % ELASTIC + (m.stuck >= ELASTIC && e == 1 ? ELASTIC_ROUND : ROUND);
-      m.stuck = isStuck(m) || rounds >= ELASTIC ? LIMIT + 1 : rounds;
-    } else {
-      m.leavePlace();
-      m.speedExponent = exponent;
-    }
-  }
-
-  /** The nearest multiple of the weight of an elastic impact, as the part below counts rounds. */
-  private static int withoutRounds(int weight) {
-    return (weight + ELASTIC / 2) / ELASTIC * ELASTIC;
-  }
-
-  /** Whether a falling circle is where its last impact was, up to rounding. */
-  private static boolean isHere(MovingCircle m, double way) {
-    return way <= place(m, 1);
   }
 
   /** The width of a place for a pushed circle, in radii, by whether any obstacle moves. */

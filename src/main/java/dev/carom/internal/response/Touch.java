@@ -30,11 +30,7 @@ record Touch(int code, int contact, double nx, double ny) {
 
   /** The contact of a circle with another one, null if they do not touch; two points never do. */
   static Touch of(MovingCircle m, MovingCircle other) {
-    return of(m, other, tolerance(m, Math.max(size(m), size(other))));
-  }
-
-  /** The same for circles that are no further apart than a given distance. */
-  static Touch of(MovingCircle m, MovingCircle other, double most) {
+    double most = tolerance(m, Math.max(size(m), size(other)));
     double radiusSum = m.radius + other.radius;
     return radiusSum == 0
         ? null
@@ -43,11 +39,7 @@ record Touch(int code, int contact, double nx, double ny) {
 
   /** The contact of a circle with an obstacle, null if it does not touch it. */
   static Touch of(MovingCircle m, ObstacleTable obstacles, int code) {
-    return of(m, obstacles, code, tolerance(m, size(m)));
-  }
-
-  /** The same for an obstacle that is no further than a given distance from the circle. */
-  static Touch of(MovingCircle m, ObstacleTable obstacles, int code, double most) {
+    double most = tolerance(m, size(m));
     if (Codes.isWall(code)) {
       return ofWall(m, code, obstacles.walls[code], most);
     }

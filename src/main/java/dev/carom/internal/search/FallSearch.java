@@ -193,7 +193,7 @@ final class FallSearch extends FallTimes {
   }
 
   private void considerWall(int code) {
-    if (!ignores(code)) {
+    if (!ignores(code) && !passesAsMember(code)) {
       offer(wallTime(code, to), code);
     }
   }
@@ -246,10 +246,21 @@ final class FallSearch extends FallTimes {
 
   /** Asks for the time of impact with an obstacle that was chosen. */
   private void ask(int code) {
-    if (!isGone() && !ignores(code)) {
+    if (!isGone() && !ignores(code) && !passesAsMember(code)) {
       double middle = enter + 0.5 * (to - enter); // NaN outside of the walk: no time is expected
       offer(time(code, middle, to), code);
     }
+  }
+
+  /**
+   * Whether contact keeps a member from an obstacle, which is no sensor: one at rest only from
+   * those that move as it does.
+   */
+  private boolean passesAsMember(int code) {
+    return body.isMember()
+        && !obstacles.isSensor(code)
+        && (body.mode != MovingCircle.FROZEN
+            || (obstacles.ux(code) == body.vx && obstacles.uy(code) == body.vy));
   }
 
   /** Takes an impact in the part searched; the rest of that is shorter, with a narrower band. */

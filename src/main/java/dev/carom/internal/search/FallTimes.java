@@ -104,7 +104,7 @@ abstract class FallTimes extends CellWalk {
   }
 
   private double timeOfReturn(int code, double to) {
-    return code == body.leftLine ? timeAtEnds(to) : FallReturn.time(fall, to);
+    return code == body.landing ? timeAtEnds(to) : FallReturn.time(fall, to);
   }
 
   /** The next time at which a sensor that was not reported yet is entered. */
@@ -113,7 +113,7 @@ abstract class FallTimes extends CellWalk {
     return FallSweep.timeAfter(fall, Math.max(after, 0), to);
   }
 
-  /** The time at which a circle that slid off an end of a line hits that or the other end. */
+  /** The time at which a circle that flew off an end of a line hits that or the other end. */
   private double timeAtEnds(double to) {
     double ax = fall.ax;
     double ay = fall.ay;
@@ -256,9 +256,6 @@ abstract class FallTimes extends CellWalk {
       return t == 0 ? Contact.NOW : Contact.LATER;
     }
     chooseAny(code);
-    if (code == body.leftLine && t == 0) {
-      return (isNearerToStart() ? Contact.START : Contact.END) | Contact.NOW;
-    }
     return isReturn(code, t) ? FallReturn.contact(fall, t) : FallSweep.contact(fall, t);
   }
 

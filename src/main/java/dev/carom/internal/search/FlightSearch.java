@@ -4,9 +4,11 @@ package dev.carom.internal.search;
 import dev.carom.internal.exact.ExactTime;
 import dev.carom.internal.state.CodeSet;
 import dev.carom.internal.state.Codes;
+import dev.carom.internal.state.LiveCodes;
 import dev.carom.internal.state.MovingCircle;
 import dev.carom.internal.state.ObstacleMotions;
 import dev.carom.internal.state.ObstacleTable;
+import dev.carom.internal.util.IntList;
 import dev.carom.internal.util.Kind;
 import java.util.Arrays;
 import java.util.stream.IntStream;
@@ -97,6 +99,10 @@ public final class FlightSearch {
 
   private void extend(
       MovingCircle m, Grid grid, double needed, boolean passesSensors, boolean ordersExactly) {
+    if (m.mode == MovingCircle.AWAKE && (passesSensors || !obstacles.haveSensors())) {
+      m.clearUpTo(NEVER);
+      return;
+    }
     CellWalk search = searchOf(m);
     double from = m.cleared;
     search.passesSensors = passesSensors;
@@ -187,6 +193,58 @@ public final class FlightSearch {
       }
     }
     return search.bestCode == code;
+  }
+
+  /**
+   * Adds the codes of the obstacles that may be nearer to a circle at its place than a given
+   * distance; some may be there more than once.
+   *
+   * @param now the time at which it is there
+   */
+  public void addNear(MovingCircle m, Grid grid, double reach, double now, IntList into) {
+    double most = m.radius + reach;
+    addWalls(m, most, into);
+    if (grid == null) {
+      for (int kind = 0; kind < obstacles.kinds.size(); kind++) {
+        addAll(obstacles.kinds.get(kind).present(), into);
+      }
+      return;
+    }
+    for (int k = 0; k < loose.size; k++) {
+      into.add(loose.codes[k]);
+    }
+    grid.addNear(m.x, m.y, reach, into);
+    addMoving(m, most, now, into);
+  }
+
+  private void addWalls(MovingCircle m, double most, IntList into) {
+    double[] walls = obstacles.walls;
+    for (int code = 0; walls != null && code < walls.length; code++) {
+      double place = Codes.isVertical(code) ? m.x : m.y;
+      if (Codes.inwards(code) * (place - walls[code]) <= most) {
+        into.add(code);
+      }
+    }
+  }
+
+  private static void addAll(LiveCodes codes, IntList into) {
+    for (int k = 0; k < codes.size(); k++) {
+      into.add(codes.get(k));
+    }
+  }
+
+  private void addMoving(MovingCircle m, double most, double now, IntList into) {
+    ObstacleMotions motions = obstacles.motions();
+    double time = obstacles.epoch() + now;
+    boolean isIndexed = time >= window.begin && time < window.end;
+    if (isIndexed && motions.count() > 0) {
+      window.find(obstacles, m.x - most, m.y - most, m.x + most, m.y + most);
+    }
+    for (int i = 0; i < motions.count(); i++) {
+      if (!isIndexed || (window.found[i / Long.SIZE] >> i & 1) != 0) {
+        into.add(motions.code(i));
+      }
+    }
   }
 
   /** The codes of all obstacles that touch a circle at its place, and perhaps of others near it. */

@@ -5,6 +5,7 @@ import dev.carom.internal.state.Codes;
 import dev.carom.internal.state.ObstacleRows;
 import dev.carom.internal.state.ObstacleTable;
 import dev.carom.internal.sweep.ObstacleShape;
+import dev.carom.internal.util.IntList;
 import java.util.Arrays;
 import java.util.stream.IntStream;
 import java.util.stream.LongStream;
@@ -237,6 +238,48 @@ public final class Grid {
     return all.flatMap(pair -> LongStream.of(CellList.first(pair), CellList.second(pair)))
         .mapToInt(code -> (int) code)
         .filter(code -> !Codes.isWall(code));
+  }
+
+  /**
+   * Adds the codes of the obstacles that a circle could touch whose centre is within a distance of
+   * a place on each axis; some may be there more than once.
+   */
+  void addNear(double x, double y, double distance, IntList into) {
+    if (!meets(x - distance, y - distance, x + distance, y + distance)) {
+      return;
+    }
+    int left = column(columns(x - distance));
+    int right = column(columns(x + distance));
+    int top = row(rows(y + distance));
+    for (int row = row(rows(y - distance)); row <= top; row++) {
+      for (int column = left; column <= right; column++) {
+        addListed(lists[number(column, row)], into);
+      }
+    }
+  }
+
+  private void addListed(long list, IntList into) {
+    if (CellList.isPairOfLines(list) || CellList.areOthers(list)) {
+      addPair(list, into);
+    } else {
+      int k = CellList.start(list);
+      addPair(pairs[k], into);
+      while (CellList.isMore(pairs[k])) {
+        k++;
+        addPair(pairs[k], into);
+      }
+    }
+  }
+
+  private static void addPair(long pair, IntList into) {
+    int first = CellList.first(pair);
+    int second = CellList.second(pair);
+    if (!Codes.isWall(first)) {
+      into.add(first);
+    }
+    if (second != first && !Codes.isWall(second)) {
+      into.add(second);
+    }
   }
 
   /** Reads the lists of the cells around a place, to have them in the cache. */

@@ -266,8 +266,13 @@ public final class CircleRegistry {
     infinite += infinite(slot);
   }
 
-  /** Whether two or more circles have infinite mass. */
+  /** Whether any circle has infinite mass. */
   public boolean hasInfinite() {
+    return infinite > 0;
+  }
+
+  /** Whether two or more circles have infinite mass. */
+  public boolean haveInfinite() {
     return infinite > 1;
   }
 

@@ -60,6 +60,11 @@ public final class FlightHistory extends History {
     }
   }
 
+  /** Whether the newest row holds the same {@link ContactRow}. */
+  boolean knows(double[] contactRow) {
+    return Arrays.equals(rows.contactRow(newest()), contactRow);
+  }
+
   private void setProperties(double time, CircleProperties its, double horizon) {
     if (latest != null && properties == null) {
       properties = new Changes<>();

@@ -11,8 +11,8 @@ import java.util.Arrays;
  *
  * <p>Each row has the columns of its flight and of the circle's past impacts. The columns of its
  * next impact are missing in the recorded past. Other columns exist only once a circle needs them:
- * those of gravity, of sensors among circles, and the ignore lists of jammed circles. What was
- * never stored in a row reads as zeros, so these stand for a circle without any of that.
+ * those of gravity, of contact, of sensors among circles, and the ignore lists of jammed circles.
+ * What was never stored in a row reads as zeros, so these stand for a circle without any of that.
  */
 public class FlightTable {
 
@@ -38,12 +38,17 @@ public class FlightTable {
   public static final int STUCK = 4;
   public static final int CODES = 5;
 
-  // The columns of gravity: the acceleration, the support, and the slow contacts.
+  // The columns of gravity: the acceleration, and the support. An awake member of those in contact
+  // flies straight: in place of its acceleration is the rate of change of its momentum.
   private static final int GX = 0;
   private static final int GY = 1;
   private static final int SUPPORT = 2;
-  private static final int SLOW_CONTACTS = 3;
-  private static final int FALL = 4;
+  private static final int FALL = 3;
+
+  // The columns of the momentum by mass of an awake member.
+  private static final int PX = 0;
+  private static final int PY = 1;
+  private static final int MOMENTUM = 2;
 
   // The columns of the last circle that a sensor reported: the time of contact, and which it was.
   private static final int HEAD = 0;
@@ -64,8 +69,11 @@ public class FlightTable {
   /** Whether any of the following columns exists. */
   boolean hasRare;
 
-  /** Four doubles a row, see {@link #GX}; null until a circle falls, slides or rests. */
+  /** Three doubles a row, see {@link #GX}; null until a circle falls, slides or rests. */
   private double[] falls;
+
+  /** Two doubles a row, see {@link #PX}; null until there is an awake member. */
+  private double[] momenta;
 
   /** Three doubles a row, see {@link #HEAD}; null until a sensor reports another circle. */
   private double[] sensed;
@@ -73,20 +81,25 @@ public class FlightTable {
   /** The ignore list of each jammed circle; null until there is one. */
   public IgnoreList[] jams;
 
+  /** The {@link ContactRow} of each member; null until one is kept here. */
+  public double[][] contactRows;
+
   /** Creates a table with room for so many rows. */
   public FlightTable(int room) {
     this(room, 0, NUMBERS, 0, CODES);
   }
 
   /** Creates a table of all its columns, see {@link #numbers}. */
-  public FlightTable(double[][] numbers, int[] codes, IgnoreList[] jams) {
+  public FlightTable(double[][] numbers, int[] codes, IgnoreList[] jams, double[][] contactRows) {
     this(0);
     capacity = numbers[0].length / NUMBERS;
     state = numbers[0];
     falls = numbers[1];
     sensed = numbers[2];
+    momenta = numbers[3];
     this.codes = codes;
     this.jams = jams;
+    this.contactRows = contactRows;
     hasRare = true;
   }
 
@@ -147,7 +160,9 @@ public class FlightTable {
     codes = codeStride == 0 ? codes : Arrays.copyOfRange(codes, of, of + codesAt(room));
     falls = moved(falls, FALL * by, FALL * room);
     sensed = moved(sensed, SENSED * by, SENSED * room);
+    momenta = moved(momenta, MOMENTUM * by, MOMENTUM * room);
     jams = jams == null ? null : Arrays.copyOfRange(jams, by, by + room);
+    contactRows = contactRows == null ? null : Arrays.copyOfRange(contactRows, by, by + room);
   }
 
   private static double[] moved(double[] column, int by, int size) {
@@ -234,13 +249,9 @@ public class FlightTable {
   }
 
   private void putRareColumns(int i, MovingCircle m) {
-    if (falls != null || m.isFalling() || m.slowContacts != 0) {
+    if (falls != null || m.isFalling() || m.landing != MovingCircle.NOTHING) {
       allowGravity();
-      int k = FALL * i;
-      falls[k + GX] = m.gx;
-      falls[k + GY] = m.gy;
-      falls[k + SUPPORT] = m.supportWord();
-      falls[k + SLOW_CONTACTS] = m.slowContacts;
+      putFall(i, m);
     }
     if (sensed != null || m.sensedPartner != MovingCircle.NOT_SENSED) {
       putSensed(i, m.sensedHead, m.sensedTail, m.sensedPartner);
@@ -249,6 +260,23 @@ public class FlightTable {
       jams = jams == null ? new IgnoreList[capacity()] : jams;
       jams[i] = m.jam;
       hasRare = true;
+    }
+  }
+
+  private void putFall(int i, MovingCircle m) {
+    boolean awake = m.mode == MovingCircle.AWAKE;
+    int k = FALL * i;
+    falls[k + GX] = awake ? m.ax : m.gx;
+    falls[k + GY] = awake ? m.ay : m.gy;
+    falls[k + SUPPORT] = m.supportWord();
+    if (awake) {
+      momenta = momenta == null ? new double[MOMENTUM * capacity] : momenta;
+      momenta[MOMENTUM * i + PX] = m.px;
+      momenta[MOMENTUM * i + PY] = m.py;
+    }
+    if (contactRows != null || m.contactRow != null) {
+      contactRows = contactRows == null ? new double[capacity][] : contactRows;
+      contactRows[i] = m.contactRow;
     }
   }
 
@@ -262,11 +290,7 @@ public class FlightTable {
   private void getRareColumns(int i, MovingCircle m) {
     m.clearRare();
     if (falls != null) {
-      int k = FALL * i;
-      m.gx = falls[k + GX];
-      m.gy = falls[k + GY];
-      m.setSupport((int) falls[k + SUPPORT]);
-      m.slowContacts = (int) falls[k + SLOW_CONTACTS];
+      getFall(i, m);
     }
     if (sensed != null) {
       int k = SENSED * i;
@@ -275,6 +299,19 @@ public class FlightTable {
       m.sensedPartner = sensedPartner(i);
     }
     m.jam = jam(i);
+  }
+
+  private void getFall(int i, MovingCircle m) {
+    m.setSupport(supportWord(i));
+    m.gx = gx(i);
+    m.gy = gy(i);
+    m.contactRow = contactRow(i);
+    if (isAwake(i) && momenta != null) {
+      m.ax = falls[FALL * i + GX];
+      m.ay = falls[FALL * i + GY];
+      m.px = momenta[MOMENTUM * i + PX];
+      m.py = momenta[MOMENTUM * i + PY];
+    }
   }
 
   // Circles sensed.
@@ -317,13 +354,18 @@ public class FlightTable {
     return jams == null ? null : jams[i];
   }
 
-  /** The acceleration of a circle. */
+  /** The {@link ContactRow} of a circle; null if none is kept here. */
+  final double[] contactRow(int i) {
+    return contactRows == null ? null : contactRows[i];
+  }
+
+  /** The acceleration of the flight of a circle. */
   public final double gx(int i) {
-    return falls == null ? 0 : falls[FALL * i + GX];
+    return falls == null || isAwake(i) ? 0 : falls[FALL * i + GX];
   }
 
   public final double gy(int i) {
-    return falls == null ? 0 : falls[FALL * i + GY];
+    return falls == null || isAwake(i) ? 0 : falls[FALL * i + GY];
   }
 
   /** The {@link MovingCircle#supportWord} of a circle. */
@@ -331,12 +373,22 @@ public class FlightTable {
     return falls == null ? 0 : (int) falls[FALL * i + SUPPORT];
   }
 
-  /** Whether a circle slides or rests on something. */
+  /** Whether something carries a circle: it slides, rests, or is in contact. */
   public final boolean isSupported(int i) {
     return supportWord(i) > 0;
   }
 
-  /** The line or wall on which a circle slides or rests; NOTHING if on none, or on several. */
+  /** Whether a circle is a member of those in contact. */
+  public final boolean isMember(int i) {
+    return supportWord(i) >= MovingCircle.WORD_OF_AWAKE;
+  }
+
+  /** Whether a circle is an awake member of those in contact. */
+  public final boolean isAwake(int i) {
+    return supportWord(i) == MovingCircle.WORD_OF_AWAKE;
+  }
+
+  /** The line or wall on which a circle slides or rests; NOTHING if on none, or in contact. */
   public final int support(int i) {
     return MovingCircle.supportOf(supportWord(i));
   }
@@ -378,11 +430,25 @@ public class FlightTable {
     return Confinement.y(walls, state[at(i) + FlightRow.Y], y, radius(i));
   }
 
+  /** The velocity that a world shows of a circle: that of an awake member is its momentum. */
   public final double vx(int i, double now) {
-    return MovingCircle.velocity(state[at(i) + FlightRow.VX], gx(i), since(i, now));
+    return isAwake(i)
+        ? MovingCircle.velocity(momenta[MOMENTUM * i + PX], falls[FALL * i + GX], since(i, now))
+        : flightX(i, now);
   }
 
   public final double vy(int i, double now) {
+    return isAwake(i)
+        ? MovingCircle.velocity(momenta[MOMENTUM * i + PY], falls[FALL * i + GY], since(i, now))
+        : flightY(i, now);
+  }
+
+  /** The velocity at which the place of a circle changes. */
+  public final double flightX(int i, double now) {
+    return MovingCircle.velocity(state[at(i) + FlightRow.VX], gx(i), since(i, now));
+  }
+
+  public final double flightY(int i, double now) {
     return MovingCircle.velocity(state[at(i) + FlightRow.VY], gy(i), since(i, now));
   }
 
@@ -393,7 +459,8 @@ public class FlightTable {
     return other instanceof FlightTable that
         && Arrays.deepEquals(numbers(), that.numbers())
         && Arrays.equals(codes, that.codes)
-        && Arrays.equals(jams, that.jams);
+        && Arrays.equals(jams, that.jams)
+        && Arrays.deepEquals(contactRows, that.contactRows);
   }
 
   @Override
@@ -403,11 +470,11 @@ public class FlightTable {
 
   /** The columns of doubles, by group; null for a group that no circle needs. */
   public final double[][] numbers() {
-    return new double[][] {state, falls, sensed};
+    return new double[][] {state, falls, sensed, momenta};
   }
 
   /** The doubles of a row in a group, in a table without further columns. */
   public static int width(int group) {
-    return new int[] {NUMBERS, FALL, SENSED}[group];
+    return new int[] {NUMBERS, FALL, SENSED, MOMENTUM}[group];
   }
 }

@@ -180,6 +180,11 @@ public final class ImpactRows {
     ints[k] = (ints[k] & (1 << OUTCOME) - 1) | outcome << OUTCOME;
   }
 
+  /** Removes the row added last. */
+  public void removeLast() {
+    size--;
+  }
+
   /**
    * Sorts the rows by time. The sort is stable: rows arrive circle by circle, and those of one
    * circle as they happened.

@@ -21,17 +21,26 @@ public final class MovingCircle {
   /** The sum of weights of impacts at one place beyond which a circle is stuck. */
   public static final int STUCK_LIMIT = 1 << 24;
 
-  /** The number of slow contacts after which a circle tries to rest. */
-  public static final int SLOW_LIMIT = 32;
-
   /** No obstacle or circle: nothing was hit yet, or nothing since the last edit. */
   public static final int NOTHING = -1;
 
   /** No other circle: a sensor reported no contact with one. */
   public static final int NOT_SENSED = -2;
 
-  /** The word of a {@link #pinned} circle. */
-  static final int PINNED = Integer.MAX_VALUE;
+  // The modes of a circle: on its own, or a member of those in contact under gravity, see {@code
+  // ContactCore}.
+  public static final int ALONE = 0;
+  public static final int AWAKE = 1;
+  public static final int FROZEN = 2;
+
+  /** Something that moves passes over it. */
+  public static final int JAMMED = 3;
+
+  /** The word of a member is this and its mode; it is greater than the code of any support. */
+  private static final int WORD_OF_MEMBER = Integer.MAX_VALUE - JAMMED;
+
+  /** The least word of a member. */
+  static final int WORD_OF_AWAKE = WORD_OF_MEMBER + AWAKE;
 
   /**
    * How far the first search of a flight looks ahead where less is needed, in halves of a cell at
@@ -67,11 +76,30 @@ public final class MovingCircle {
   /** The code of the line or wall on which it slides or rests; else NOTHING. */
   public int support = NOTHING;
 
-  /** The code of the line from whose side it slid at the start of this flight; else NOTHING. */
-  public int leftLine = NOTHING;
+  /**
+   * The code of the side over which contact left it: it slides there soon. If that is what it hit
+   * last, it flew off an end of that line. Else NOTHING.
+   */
+  public int landing = NOTHING;
 
-  /** Whether it stays where it is: several things hold it, or it is jammed. */
-  public boolean pinned;
+  /** Whether it is a member of those in contact: ALONE, AWAKE, FROZEN or JAMMED. */
+  public int mode;
+
+  /**
+   * The momentum by mass of an awake member at the start of its flight, which is the velocity that
+   * a world shows, and its rate of change.
+   */
+  public double px;
+
+  public double py;
+  public double ax;
+  public double ay;
+
+  /** What contact knows of a member, see {@link ContactRow}; null unless that is saved. */
+  public double[] contactRow;
+
+  /** Whether it has settled since its last fast impact. */
+  public boolean settled;
 
   public int id;
   public double radius;
@@ -138,12 +166,6 @@ public final class MovingCircle {
   /** Whether one of them was with an infinite mass that moved towards the circle. */
   public boolean pushed;
 
-  /**
-   * The number of its slow contacts with circles, see {@code Heap}; below 0 after a trial that
-   * failed. 0 without gravity.
-   */
-  public int slowContacts;
-
   /** Starts the first flight of a circle, at time 0. */
   public void start(
       int id, double x, double y, double radius, double vx, double vy, double restitution) {
@@ -175,7 +197,6 @@ public final class MovingCircle {
     y = Confinement.y(walls, y, yAfter(dt), radius);
     if (dt != 0 && isFalling() && !staysInContact()) {
       last = NOTHING;
-      leftLine = NOTHING;
     }
     accelerate(dt);
     t = now;
@@ -197,8 +218,18 @@ public final class MovingCircle {
     gx = gravityX;
     gy = gravityY;
     support = NOTHING;
-    leftLine = NOTHING;
-    pinned = false;
+    landing = NOTHING;
+    mode = ALONE;
+    contactRow = null;
+  }
+
+  /** Flies straight on as a member, until contact says otherwise. */
+  public void join(int itsMode) {
+    fall(0, 0);
+    mode = itsMode;
+    leavePlace();
+    last = NOTHING;
+    settled = false;
   }
 
   /** How far a search that begins now looks ahead; the next one looks twice as far. */
@@ -208,21 +239,26 @@ public final class MovingCircle {
     return now;
   }
 
-  /** {@link #support}, {@link #leftLine} and {@link #pinned} in one int; 0 for none. */
+  /** {@link #support}, {@link #landing} and {@link #mode} in one int; 0 for none. */
   int supportWord() {
-    return pinned ? PINNED : leftLine != NOTHING ? ~leftLine : support + 1;
+    return isMember() ? WORD_OF_MEMBER + mode : landing != NOTHING ? ~landing : support + 1;
   }
 
   /** The inverse of {@link #supportWord}. */
   void setSupport(int word) {
-    pinned = word == PINNED;
-    leftLine = word < 0 ? ~word : NOTHING;
+    mode = word < WORD_OF_AWAKE ? ALONE : word - WORD_OF_MEMBER;
+    landing = word < 0 ? ~word : NOTHING;
     support = supportOf(word);
   }
 
   /** The line or wall in a {@link #supportWord}; NOTHING if it tells anything else. */
   static int supportOf(int word) {
-    return word > 0 && word < PINNED ? word - 1 : NOTHING;
+    return word > 0 && word < WORD_OF_AWAKE ? word - 1 : NOTHING;
+  }
+
+  /** Whether the circle is a member of those in contact. */
+  public boolean isMember() {
+    return mode != ALONE;
   }
 
   /** Whether the circle slides or rests on a line or a wall. */
@@ -230,20 +266,9 @@ public final class MovingCircle {
     return support != NOTHING;
   }
 
-  /** Whether the circle slides or rests on something. */
+  /** Whether something carries the circle: it slides, rests, or is in contact. */
   public boolean isSupported() {
-    return pinned || isCarried();
-  }
-
-  /** Whether things at rest hold the circle where it is. */
-  public boolean isFrozen() {
-    return pinned && jam == null;
-  }
-
-  /** Whether other circles may lie on this one: it is pinned, or stands still by its mass. */
-  public boolean isGround() {
-    boolean stands = vx == 0 && vy == 0 && gx == 0 && gy == 0;
-    return stands && !isCarried() && leftLine == NOTHING;
+    return isMember() || isCarried();
   }
 
   /** Whether a massive object that crushed the circle still overlaps it. */
@@ -253,7 +278,7 @@ public final class MovingCircle {
 
   /** Whether the circle has an acceleration, slides or rests. */
   public boolean isFalling() {
-    return gx != 0 || gy != 0 || isSupported() || leftLine != NOTHING;
+    return gx != 0 || gy != 0 || isSupported();
   }
 
   /** Where the centre is after a duration of this flight, on one axis. */
@@ -284,7 +309,7 @@ public final class MovingCircle {
   /** Forgets what was hit last, so that the next impact may be with anything. */
   public void forget() {
     last = NOTHING;
-    slowContacts = 0;
+    settled = false;
     leavePlace();
     speedExponent = Double.MIN_EXPONENT;
   }
@@ -355,13 +380,12 @@ public final class MovingCircle {
 
   /** Whether anything of it is in a column that not all tables have, see {@link FlightTable}. */
   boolean isRare() {
-    return isFalling() || slowContacts != 0 || sensedPartner != NOT_SENSED || jam != null;
+    return isFalling() || landing != NOTHING || sensedPartner != NOT_SENSED || jam != null;
   }
 
   /** Takes the values of the columns that a table does not have. */
   void clearRare() {
     fall(0, 0);
-    slowContacts = 0;
     forgetSensedCircle();
     jam = null;
   }
@@ -399,9 +423,24 @@ public final class MovingCircle {
     return Math.max(0, now - t - tl);
   }
 
-  /** The time of the next impact, or at which the prediction ends. */
+  /** The time of the next impact or tick, or at which the prediction ends. */
   public double due() {
+    return contactRow == null ? known() : Math.min(known(), nextTick());
+  }
+
+  /** The time of the next impact, or at which the prediction ends, whatever ticks come before. */
+  public double known() {
     return cleared == Double.POSITIVE_INFINITY ? cleared : after(cleared);
+  }
+
+  /** The next tick of a member whose contact stands in its row. */
+  private double nextTick() {
+    return mode == FROZEN ? Double.POSITIVE_INFINITY : contactRow[ContactRow.END];
+  }
+
+  /** Whether a tick is what comes next. */
+  public boolean ticksNext() {
+    return contactRow != null && due() == nextTick();
   }
 
   /** The first double that is not before a time, given as head and tail. */

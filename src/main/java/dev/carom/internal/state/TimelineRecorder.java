@@ -178,6 +178,13 @@ public final class TimelineRecorder {
     m.jam = jam;
   }
 
+  /** Adds a member of those in contact, if what contact knows of it has changed. */
+  public void addContact(MovingCircle m, double time) {
+    if (!tracks.get(registry.id(m.id)).knows(m.contactRow)) {
+      add(m, time);
+    }
+  }
+
   /** Commits the flights of the current step, which ended at a given time. */
   public void advance(double now) {
     for (int i = 0; i < pending.size(); i++) {

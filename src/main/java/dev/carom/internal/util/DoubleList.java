@@ -25,6 +25,10 @@ public final class DoubleList {
     size += more.length;
   }
 
+  public void clear() {
+    size = 0;
+  }
+
   public void setLast(double value) {
     values[size - 1] = value;
   }

@@ -18,8 +18,22 @@ public final class IntList {
     return values[i];
   }
 
+  public void set(int i, int value) {
+    values[i] = value;
+  }
+
   public void clear() {
-    size = 0;
+    cut(0);
+  }
+
+  /** Keeps only the first so many values. */
+  public void cut(int to) {
+    size = to;
+  }
+
+  /** Sorts the values from an index on; there are few of them. */
+  public void sort(int from) {
+    Arrays.sort(values, from, size);
   }
 
   public void add(int value) {

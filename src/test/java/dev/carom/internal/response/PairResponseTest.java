@@ -334,7 +334,9 @@ class PairResponseTest {
 
   private static PairResponse pairs(Scene scene) {
     SceneData data = Internals.data(scene);
-    Settling none = new Settling(ObstacleTable.of(data), new Gravity(0, 0), m -> new int[0]);
-    return new PairResponse(new CircleRegistry(data, 1), none);
+    ObstacleTable obstacles = ObstacleTable.of(data);
+    Gravity none = new Gravity(0, 0);
+    ObstacleResponse response = new ObstacleResponse(obstacles, none, m -> new int[0]);
+    return new PairResponse(new CircleRegistry(data, 1), response);
   }
 }

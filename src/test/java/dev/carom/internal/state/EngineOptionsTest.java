@@ -195,8 +195,9 @@ class EngineOptionsTest {
     assertOrderDoesNotMatter(TestScenes.read(file), 600);
   }
 
+  /** Not scenes with gravity: contact adds up impulses in the order of the obstacles. */
   static Stream<RandomScenes.Recipe> scenesWithPegs() {
-    return Stream.of(RandomScenes::mixed, RandomScenes::falling);
+    return Stream.of(RandomScenes::mixed);
   }
 
   /** Impacts at one time would stand in the order of circles; none of them do at time 0. */

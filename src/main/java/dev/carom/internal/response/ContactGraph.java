@@ -1,0 +1,453 @@
+// SPDX-License-Identifier: Apache-2.0
+package dev.carom.internal.response;
+
+import dev.carom.internal.util.Index;
+import dev.carom.internal.util.IntList;
+import java.util.Arrays;
+
+/**
+ * The awake members in order, and the list of their near pairs. A pair belongs to an awake circle,
+ * its owner. The other one is an awake circle before it in the order, a frozen circle, or a part of
+ * an obstacle. The order is height against gravity, for places and numbers alone break mirror
+ * images.
+ *
+ * <p>The list has a margin for each circle, within which it may move until the list is made anew.
+ * Pairs keep their impulses then.
+ */
+final class ContactGraph {
+
+  /** The margin of a circle that is fast has so many standoffs more. */
+  private static final double MARGIN_STANDOFFS = 20;
+
+  /** In margins: what is listed is nearer, wherever the circle moved since. */
+  private static final double FAR = 3;
+
+  private final Members members;
+  private final Parts parts;
+  private final ContactHost host;
+  private final Approach approach = new Approach();
+  private final double gx;
+  private final double gy;
+
+  /** The awake circles in order, how many they are, and the place of each in the order. */
+  final int[] order;
+
+  int awake;
+  final int[] rank;
+  private final double[] height;
+
+  // Where each circle was when it was listed, and how far it may be from there.
+  final double[] listX;
+  final double[] listY;
+  final double[] margin;
+  double listTime;
+
+  /** What is fixed is no faster than this. */
+  double fastest;
+
+  boolean isValid;
+
+  NearPairs pairs;
+  private NearPairs old;
+
+  /** Frozen circles that lost a neighbour. */
+  final IntList lost = new IntList();
+
+  private boolean[] found = new boolean[16];
+  private final int[] oldRank;
+  private final int[] fill;
+  private final IntList near = new IntList();
+
+  /** The pairs as they were found: the owner, then the other one, or the complement of a part. */
+  private final IntList raw = new IntList();
+
+  private long[] place = new long[16];
+
+  ContactGraph(Members members, Parts parts, ContactHost host, double gx, double gy) {
+    this.members = members;
+    this.parts = parts;
+    this.host = host;
+    this.gx = gx;
+    this.gy = gy;
+    int n = members.count;
+    order = new int[n];
+    rank = new int[n];
+    height = new double[n];
+    listX = new double[n];
+    listY = new double[n];
+    margin = new double[n];
+    oldRank = new int[n];
+    fill = new int[n + 1];
+    pairs = new NearPairs(n);
+    old = new NearPairs(n);
+    Arrays.fill(rank, Index.NONE);
+  }
+
+  /** Appends a circle that joined or woke; the next listing puts it in its place. */
+  void enter(int i) {
+    rank[i] = awake;
+    margin[i] = 0;
+    listX[i] = 0;
+    listY[i] = 0;
+    order[awake++] = i;
+    pairs.start[awake] = pairs.start[awake - 1];
+    isValid = false;
+  }
+
+  /** Drops a circle, with its pairs, from the order and the list. */
+  void remove(int i) {
+    isValid = false;
+    int left = 0;
+    int size = 0;
+    for (int k = 0; k < awake; k++) {
+      int from = pairs.start[k];
+      int to = pairs.start[k + 1];
+      pairs.start[left] = size;
+      for (int pair = from; order[k] != i && pair < to; pair++) {
+        if (pairs.other[pair] != i) {
+          pairs.copy(size++, pair);
+        }
+      }
+      if (order[k] != i) {
+        rank[order[k]] = left;
+        order[left++] = order[k];
+      }
+    }
+    rank[i] = Index.NONE;
+    awake = left;
+    pairs.size = size;
+    pairs.start[left] = size;
+  }
+
+  /** Appends a saved circle, with so many pairs that are filled in next. */
+  int restore(int i, int size) {
+    int from = pairs.size;
+    pairs.makeRoom(from + size);
+    pairs.size += size;
+    rank[i] = awake;
+    order[awake++] = i;
+    pairs.start[awake] = pairs.size;
+    return from;
+  }
+
+  /** Finds the parts of saved pairs by their keys. */
+  void findParts(double now) {
+    for (int g = 0; g < awake; g++) {
+      int i = order[g];
+      near.clear();
+      parts.near(members, i, host, FAR * margin[i], now, near); // this makes the vertices
+      for (int k = pairs.start[g]; k < pairs.start[g + 1]; k++) {
+        boolean isPart = pairs.other[k] == members.count;
+        int part = isPart ? parts.ofKey(pairs.key[k], now) : Index.NONE;
+        if (isPart && part < 0) {
+          isValid = false;
+        } else {
+          describe(k, i, isPart ? ~part : pairs.other[k]);
+        }
+      }
+    }
+  }
+
+  /** Whether the list has all that the awake circles can meet in a time at velocities q. */
+  boolean covers(double[] q, double now, double time) {
+    boolean covers = isValid;
+    for (int k = 0; k < awake && covers; k++) {
+      covers = covers(order[k], q, now, time);
+    }
+    return covers;
+  }
+
+  private boolean covers(int i, double[] q, double now, double time) {
+    double dx = members.x[i] - listX[i];
+    double dy = members.y[i] - listY[i];
+    double room = margin[i] - path(q, i, time) - fastest * (now - listTime + time);
+    return room >= 0 && dx * dx + dy * dy <= room * room;
+  }
+
+  private static double path(double[] q, int i, double time) {
+    return Math.sqrt(q[2 * i] * q[2 * i] + q[2 * i + 1] * q[2 * i + 1]) * time;
+  }
+
+  /** Makes the list anew, for flights of about the velocities q in a time. */
+  void list(double[] q, double now, double time) {
+    fastest = parts.fastest();
+    keepOld();
+    dropOthers();
+    sort();
+    listTime = now;
+    for (int k = 0; k < awake; k++) {
+      int i = order[k];
+      double r = members.radius[i];
+      double fast = ContactLaw.MARGIN_TICKS * path(q, i, time);
+      double slow = MARGIN_STANDOFFS * ContactLaw.STANDOFF * r;
+      margin[i] = Math.max(ContactLaw.MARGIN * r, fast + slow) + 2 * fastest * time;
+      listX[i] = members.x[i];
+      listY[i] = members.y[i];
+    }
+    collect(now);
+    arrange();
+    for (int k = 0; k < old.size; k++) {
+      boolean bore = old.bore[k] || old.impulse[k] > 0;
+      if (!found[k] && bore && old.part[k] < 0 && members.isFrozen(old.other[k])) {
+        lost.add(old.other[k]);
+      }
+    }
+    isValid = true;
+  }
+
+  private void keepOld() {
+    NearPairs p = old;
+    old = pairs;
+    pairs = p;
+    if (found.length < old.size) {
+      found = new boolean[old.owner.length];
+    }
+    Arrays.fill(found, 0, old.size, false);
+    System.arraycopy(rank, 0, oldRank, 0, members.count);
+  }
+
+  /** Drops all that are not awake from the order. */
+  private void dropOthers() {
+    int left = 0;
+    for (int k = 0; k < awake; k++) {
+      int i = order[k];
+      if (members.isAwake(i)) {
+        order[left++] = i;
+      } else {
+        rank[i] = Index.NONE;
+      }
+    }
+    awake = left;
+  }
+
+  /** Sorts by height, from the last order, which is nearly sorted; ties by slots. */
+  private void sort() {
+    for (int k = 0; k < awake; k++) {
+      int i = order[k];
+      height[i] = members.x[i] * gx + members.y[i] * gy;
+    }
+    for (int a = 1; a < awake; a++) {
+      int i = order[a];
+      int b = a - 1;
+      while (b >= 0 && isBefore(i, order[b])) {
+        order[b + 1] = order[b];
+        b--;
+      }
+      order[b + 1] = i;
+    }
+    for (int k = 0; k < awake; k++) {
+      rank[order[k]] = k;
+    }
+  }
+
+  private boolean isBefore(int i, int j) {
+    return height[i] > height[j] || (height[i] == height[j] && i < j);
+  }
+
+  private void collect(double now) {
+    raw.clear();
+    for (int k = 0; k < awake; k++) {
+      int i = order[k];
+      near.clear();
+      host.membersNear(i, members.x[i], members.y[i], 2 * margin[i], near);
+      for (int c = 0; c < near.size(); c++) {
+        collect(i, near.get(c), now);
+      }
+      near.clear();
+      parts.near(members, i, host, margin[i], now, near);
+      for (int c = 0; c < near.size(); c++) {
+        raw.add(i);
+        raw.add(~near.get(c));
+      }
+    }
+  }
+
+  /** Of two awake circles that with the smaller margin finds the pair, too late: the other does. */
+  private void collect(int i, int j, double now) {
+    if (members.isFrozen(j)) {
+      members.moveTo(j, now);
+      if (isCloser(i, j, margin[i])) {
+        raw.add(i);
+        raw.add(j);
+      }
+    } else if (findsFirst(i, j) && isCloser(i, j, margin[i] + margin[j])) {
+      boolean later = rank[i] > rank[j];
+      raw.add(later ? i : j);
+      raw.add(later ? j : i);
+    }
+  }
+
+  private boolean findsFirst(int i, int j) {
+    return margin[j] < margin[i] || (margin[j] == margin[i] && j < i);
+  }
+
+  private boolean isCloser(int i, int j, double reach) {
+    double d = members.radius[i] + members.radius[j] + reach;
+    double dx = members.x[i] - members.x[j];
+    double dy = members.y[i] - members.y[j];
+    return dx * dx + dy * dy < d * d;
+  }
+
+  /** Puts the pairs in order: by the owner, then awake ones, frozen ones, parts. */
+  private void arrange() {
+    NearPairs p = pairs;
+    p.size = raw.size() / 2;
+    p.makeRoom(p.size);
+    if (place.length < p.size) {
+      place = new long[p.owner.length];
+    }
+    Arrays.fill(p.start, 0, awake + 1, 0);
+    for (int k = 0; k < p.size; k++) {
+      p.start[rank[raw.get(2 * k)] + 1]++;
+    }
+    for (int k = 0; k < awake; k++) {
+      p.start[k + 1] += p.start[k];
+    }
+    System.arraycopy(p.start, 0, fill, 0, awake);
+    for (int k = 0; k < p.size; k++) {
+      insert(rank[raw.get(2 * k)], raw.get(2 * k + 1));
+    }
+    for (int g = 0; g < awake; g++) {
+      for (int k = p.start[g]; k < p.start[g + 1]; k++) {
+        describe(k, order[g], p.other[k]);
+        inherit(k);
+      }
+    }
+  }
+
+  private void insert(int g, int o) {
+    long its = o < 0 ? 1L << 62 | parts.key(~o) : members.isAwake(o) ? rank[o] : 1L << 32 | o;
+    int at = fill[g]++;
+    while (at > pairs.start[g] && place[at - 1] > its) {
+      place[at] = place[at - 1];
+      pairs.other[at] = pairs.other[at - 1];
+      at--;
+    }
+    place[at] = its;
+    pairs.other[at] = o;
+  }
+
+  /** Fills in what does not change of a pair of circle i with o, a circle or ~part. */
+  void describe(int k, int i, int o) {
+    NearPairs p = pairs;
+    boolean isPart = o < 0;
+    double r = members.radius[i];
+    p.owner[k] = i;
+    p.other[k] = isPart ? members.count : o;
+    p.part[k] = isPart ? ~o : Index.NONE;
+    p.key[k] = isPart ? parts.key(~o) : Index.NONE;
+    double smaller = isPart ? r : Math.min(r, members.radius[o]);
+    p.standoff[k] = ContactLaw.STANDOFF * smaller;
+    double e = isPart ? parts.restitution[~o] : members.restitution[o];
+    p.bounce[k] = members.restitution[i] * e;
+    boolean isFlat = isPart && parts.isFlat(~o);
+    p.round[k] = isFlat ? 0 : r + (isPart ? parts.radius[~o] : members.radius[o]);
+  }
+
+  /** Takes over what the last list knew of pair k. */
+  private void inherit(int k) {
+    NearPairs p = pairs;
+    int last = findOld(p.owner[k], p.other[k], p.key[k]);
+    if (last < 0 && p.part[k] < 0) {
+      last = findOld(p.other[k], p.owner[k], Index.NONE);
+    }
+    boolean isOld = last >= 0;
+    p.impulse[k] = isOld ? old.impulse[last] : 0;
+    p.bore[k] = isOld && old.bore[last];
+    p.through[k] = isOld ? old.through[last] : p.part[k] >= 0 && parts.isOneWay(p.part[k]);
+    if (isOld) {
+      found[last] = true;
+    }
+  }
+
+  private int findOld(int i, int o, long key) {
+    int g = i == members.count ? Index.NONE : oldRank[i];
+    for (int k = g < 0 ? 0 : old.start[g]; g >= 0 && k < old.start[g + 1]; k++) {
+      if (old.other[k] == o && old.key[k] == key) {
+        return k;
+      }
+    }
+    return Index.NONE;
+  }
+
+  /** Moves the frozen circles of the list, which may be carried, to now. */
+  void carry(double now) {
+    NearPairs p = pairs;
+    for (int k = 0; k < p.size; k++) {
+      if (p.part[k] < 0 && members.isFrozen(p.other[k])) {
+        members.moveTo(p.other[k], now);
+      }
+    }
+  }
+
+  /** Finds normals, gaps and spans of now, for flights of velocities q in a time. */
+  void measure(double[] q, double time) {
+    NearPairs p = pairs;
+    for (int k = 0; k < p.size; k++) {
+      if (p.part[k] >= 0) {
+        feel(k, q, time);
+      } else {
+        measureCircles(k, q, time);
+      }
+    }
+  }
+
+  private void measureCircles(int k, double[] q, double time) {
+    NearPairs p = pairs;
+    int a = p.owner[k];
+    int b = p.other[k];
+    double dx = members.x[a] - members.x[b];
+    double dy = members.y[a] - members.y[b];
+    double d = Math.sqrt(dx * dx + dy * dy);
+    double inverse = d > 0 ? 1 / d : 0;
+    p.nx[k] = dx * inverse;
+    p.ny[k] = dy * inverse;
+    p.gap[k] = d - p.round[k];
+    p.felt[k] = true;
+    boolean still = members.isAwake(b);
+    double fx = still ? 0 : members.frameX[b];
+    double fy = still ? 0 : members.frameY[b];
+    turn(k, (q[2 * a] - q[2 * b] - fx) * time, (q[2 * a + 1] - q[2 * b + 1] - fy) * time);
+    p.drift[k] = fx * p.nx[k] + fy * p.ny[k];
+  }
+
+  /** Takes the normal of a pair that does not carry from where a flight is nearest. */
+  private void turn(int k, double mx, double my) {
+    NearPairs p = pairs;
+    if (p.round[k] > 0 && p.gap[k] > ContactLaw.HOLD * p.standoff[k]) {
+      approach.set(p.nx[k], p.ny[k], p.gap[k]);
+      approach.turn(p.round[k], mx, my);
+      p.nx[k] = approach.nx;
+      p.ny[k] = approach.ny;
+      p.gap[k] = approach.gap;
+    }
+  }
+
+  /** Measures the part of pair k, if its owner is in the span, or gets there by its flight. */
+  void feel(int k, double[] q, double time) {
+    NearPairs p = pairs;
+    int a = p.owner[k];
+    int part = p.part[k];
+    double x = members.x[a];
+    double y = members.y[a];
+    double r = members.radius[a];
+    double mx = (q[2 * a] - parts.vx[part]) * time;
+    double my = (q[2 * a + 1] - parts.vy[part]) * time;
+    p.felt[k] = parts.touches(part, r, members.filter[a], x, y, mx, my);
+    if (!p.felt[k]) {
+      return;
+    }
+    p.nx[k] = parts.normalX;
+    p.ny[k] = parts.normalY;
+    p.gap[k] = parts.distance - r;
+    turn(k, mx, my);
+    p.drift[k] = parts.vx[part] * p.nx[k] + parts.vy[part] * p.ny[k];
+    if (parts.isOneWay(part)) {
+      boolean isSolid = parts.isSolidFrom(part, x, y);
+      p.through[k] = !isSolid || (p.through[k] && p.gap[k] < -p.standoff[k]);
+    } else if (p.gap[k] >= 0) {
+      p.through[k] = false;
+    }
+    p.felt[k] = !p.through[k];
+  }
+}

@@ -1,0 +1,239 @@
+// SPDX-License-Identifier: Apache-2.0
+package dev.carom.internal.response;
+
+/**
+ * The flights of a tick: momenta, changed until no near pair can meet within it. Bodies are convex
+ * and relative flights straight. So a pair with the unit normal n and some gap does not meet in a
+ * time h if {@code n.(u_i - u_j) >= -gap / h}: it stays on its sides of two parallel lines.
+ */
+final class Flights {
+
+  /** Rounds of shortening after which there are no safe flights; the first ones keep a part. */
+  private static final int ROUNDS = 500;
+
+  private static final int GENTLE_ROUNDS = 8;
+
+  private static final double SHORTER = 0.9;
+
+  /** Of the overlap with the standoff that flights take back in one tick. */
+  private static final double BACK = 0.3;
+
+  private final Members members;
+  private final ContactGraph graph;
+  private final Momenta momenta;
+  private final double gx;
+  private final double gy;
+  private final double square;
+  private final HalfPlanes planes = new HalfPlanes();
+
+  /** Velocities by circles; the last one is that of what does not take part. */
+  final double[] u;
+
+  /** The velocities of what drives each circle: at the worst it flies along with that. */
+  final double[] drive;
+
+  // Pairs that are pushed apart: their target, and the impulse so far.
+  private int closeCount;
+  private int[] close = new int[0];
+  private double[] target = new double[0];
+  private double[] impulse = new double[0];
+
+  Flights(Members members, ContactGraph graph, Momenta momenta, double gx, double gy) {
+    this.gx = gx;
+    this.gy = gy;
+    square = gx * gx + gy * gy;
+    this.members = members;
+    this.graph = graph;
+    this.momenta = momenta;
+    u = new double[2 * members.count + 2];
+    drive = new double[2 * members.count];
+  }
+
+  /** Starts with the momenta; what hits ends where its bounce is at the end of the tick. */
+  void start(double h) {
+    NearPairs p = graph.pairs;
+    double[] v = momenta.v;
+    for (int k = 0; k < graph.awake; k++) {
+      int i = 2 * graph.order[k];
+      u[i] = v[i];
+      u[i + 1] = v[i + 1];
+    }
+    for (int c = 0; c < momenta.count; c++) {
+      if (momenta.hit[c] && momenta.sweeps.impulse(c) > 0) {
+        int k = momenta.pair[c];
+        double opening = p.opening(u, k);
+        double gap = Math.max(0, p.gap[k]);
+        double end = Math.min(momenta.endGap[c], gap + Math.max(0, opening) * h);
+        push(k, (end - gap) / h - opening);
+      }
+    }
+  }
+
+  /** Changes the opening speed of pair k by d. */
+  private void push(int k, double d) {
+    NearPairs p = graph.pairs;
+    int a = p.owner[k];
+    int b = p.other[k];
+    double[] w = momenta.weight;
+    double l = d / (w[a] + w[b]);
+    u[2 * a] += l * w[a] * p.nx[k];
+    u[2 * a + 1] += l * w[a] * p.ny[k];
+    u[2 * b] -= l * w[b] * p.nx[k];
+    u[2 * b + 1] -= l * w[b] * p.ny[k];
+  }
+
+  /** Pushes apart what is nearer than half a standoff: flights only, momenta never. */
+  void part(double h) {
+    NearPairs p = graph.pairs;
+    if (close.length < p.size) {
+      close = new int[p.owner.length];
+      target = new double[close.length];
+      impulse = new double[close.length];
+    }
+    closeCount = 0;
+    for (int k = 0; k < p.size; k++) {
+      double low = p.standoff[k] / 2;
+      double back = low - p.gap[k];
+      double goal = isDeep(k) ? 0 : (back > 0 ? BACK * back : back) / h;
+      if (p.felt[k] && (p.gap[k] < 4 * low || p.opening(u, k) < goal)) {
+        close[closeCount] = k;
+        impulse[closeCount] = 0;
+        target[closeCount++] = goal;
+      }
+    }
+    boolean any = true;
+    for (int s = 1; s < ContactLaw.PUSHES && any; s++) {
+      any = partOnce();
+    }
+  }
+
+  /** Deep overlaps are there from the start, and nothing pushes them apart. */
+  private boolean isDeep(int k) {
+    return graph.pairs.gap[k] < -graph.pairs.standoff[k] / 2;
+  }
+
+  private boolean partOnce() {
+    NearPairs p = graph.pairs;
+    double[] w = momenta.weight;
+    boolean any = false;
+    for (int c = 0; c < closeCount; c++) {
+      int k = close[c];
+      double need = target[c] - p.opening(u, k);
+      if (impulse[c] > 0 || need > 0) {
+        any = true;
+        double mass = 1 / (w[p.owner[k]] + w[p.other[k]]);
+        double next = Math.max(0, impulse[c] + need * mass);
+        push(k, (next - impulse[c]) / mass);
+        impulse[c] = next;
+      }
+    }
+    return any;
+  }
+
+  /** In order, each takes the flight nearest to its own that obstacles and those before allow. */
+  void pass(double h, double slow) {
+    for (int q = 0; q < graph.awake; q++) {
+      int a = 2 * graph.order[q];
+      double x = u[a];
+      double y = u[a + 1];
+      if (gather(q, h) && planes.nearest(x, y)) {
+        double dx = planes.x - x;
+        double dy = planes.y - y;
+        double most = slow + 0.5 * Math.sqrt(x * x + y * y);
+        if (dx * dx + dy * dy <= most * most) {
+          u[a] = planes.x;
+          u[a + 1] = planes.y;
+          slowDown(a, momenta.v[a] + dx, momenta.v[a + 1] + dy);
+        }
+      }
+    }
+  }
+
+  /** Collects the bounds of the q-th circle; false if its flight keeps them. */
+  private boolean gather(int q, double h) {
+    NearPairs p = graph.pairs;
+    boolean bad = false;
+    for (int k = p.start[q]; k < p.start[q + 1] && !bad; k++) {
+      bad = p.felt[k] && p.opening(u, k) < least(k, h);
+    }
+    planes.clear();
+    for (int k = p.start[q]; k < p.start[q + 1] && bad; k++) {
+      if (p.felt[k]) {
+        int b = 2 * p.other[k];
+        double other = u[b] * p.nx[k] + u[b + 1] * p.ny[k] + p.drift[k];
+        planes.add(p.nx[k], p.ny[k], other + least(k, h));
+      }
+    }
+    return bad;
+  }
+
+  /** The opening speed that leaves a quarter of the standoff, or a little more than there is. */
+  private double least(int k, double h) {
+    double keep = graph.pairs.standoff[k] / 4;
+    double gap = graph.pairs.gap[k];
+    if (isDeep(k)) {
+      return 0;
+    }
+    return -(gap - Math.min(keep, gap + keep / 2)) / h;
+  }
+
+  /**
+   * Takes the part along gravity of a momentum if that is smaller. Across it the momentum stays: a
+   * flight that is not flown gains nothing there.
+   */
+  private void slowDown(int a, double x, double y) {
+    double[] v = momenta.v;
+    double speed = (v[a] * gx + v[a + 1] * gy) / square;
+    double slower = (x * gx + y * gy) / square;
+    if (Math.abs(slower) < Math.abs(speed)) {
+      v[a] += (slower - speed) * gx;
+      v[a + 1] += (slower - speed) * gy;
+    }
+  }
+
+  /**
+   * Makes all near pairs safe: by some rounds of pushes, then by shorter flights, at last by none.
+   *
+   * @return false if that does not end, as where something moves
+   */
+  boolean secure(double h, int pushes) {
+    for (int round = 0; round <= ROUNDS; round++) {
+      if (!secureOnce(h, round < pushes, round < pushes + GENTLE_ROUNDS)) {
+        return true;
+      }
+    }
+    return false;
+  }
+
+  private boolean secureOnce(double h, boolean pushes, boolean gently) {
+    NearPairs p = graph.pairs;
+    boolean any = false;
+    for (int k = 0; k < p.size; k++) {
+      if (p.part[k] >= 0) {
+        graph.feel(k, u, h);
+      }
+      if (p.meets(u, k, h, members.radius[p.owner[k]])) {
+        any = true;
+        double opening = p.opening(u, k);
+        double gap = Math.max(0, p.gap[k]);
+        if (pushes) {
+          push(k, -(gap - Math.min(gap, p.standoff[k]) / 2) / h - opening);
+        } else {
+          double rest = gently && gap > 0 ? SHORTER * gap / (-opening * h) : 0;
+          shorten(p.owner[k], rest);
+          shorten(p.other[k], rest);
+        }
+      }
+    }
+    return any;
+  }
+
+  /** A flight that is shortened, relative to what drives it, takes the momentum along. */
+  private void shorten(int i, double factor) {
+    if (momenta.weight[i] > 0) {
+      u[2 * i] = drive[2 * i] + factor * (u[2 * i] - drive[2 * i]);
+      u[2 * i + 1] = drive[2 * i + 1] + factor * (u[2 * i + 1] - drive[2 * i + 1]);
+      slowDown(2 * i, u[2 * i], u[2 * i + 1]);
+    }
+  }
+}

@@ -1,0 +1,142 @@
+// SPDX-License-Identifier: Apache-2.0
+package dev.carom.internal.response;
+
+import dev.carom.internal.state.Gravity;
+import dev.carom.internal.state.ImpactRows;
+import dev.carom.internal.state.MovingCircle;
+
+/**
+ * What follows an impact under gravity, of approach u along the unit normal n, restitution e, and
+ * the relative acceleration a along n. An approach is slow below {@code s = 4 g tau}.
+ *
+ * <ul>
+ *   <li>What comes fast takes its impulse at once.
+ *   <li>On one flat side the bounces follow each other down to a hop of {@code (e u)^2 / (2 |a|) =
+ *       2^-40 R}. Then the circle <b>slides</b>. A sliding circle that meets another side changes
+ *       to that if it leaves its own.
+ *   <li>What gravity does not press together, {@code a >= 0}, <b>bounces</b>. So does what comes
+ *       fast, and what makes such a hop for e from 1 on.
+ *   <li>Else the circles <b>join</b> those in contact, see {@link ContactCore}. So does, for e
+ *       below 1, a circle that made 24 impacts at one place, in the rounding of coordinates.
+ * </ul>
+ */
+final class ImpactRule {
+
+  static final int BOUNCE = 0;
+  static final int SLIDE = 1;
+  static final int JOIN = 2;
+
+  /** In ulps of the coordinates: a lower step is rounding. */
+  static final double STEP_ULPS = 8;
+
+  /** In units of the coordinates: a circle that moved by no more is at one place. */
+  private static final double PLACE = 0x1p-40;
+
+  /**
+   * In radii: the same for a circle that something pushes. An elastic one of speed v before
+   * something of speed u makes some {@code v / u} impacts while the room halves.
+   */
+  private static final double PUSHED_PLACE = 0x1p-6;
+
+  /** At restitutions from 1 on, so many times more impacts at one place are possible. */
+  private static final int ELASTIC = 64;
+
+  private final Gravity gravity;
+
+  /** The last radius and size of gravity, and a slow approach for them. */
+  private double radius;
+
+  private double size;
+  private double slow;
+
+  ImpactRule(Gravity gravity) {
+    this.gravity = gravity;
+  }
+
+  /** The least approach of a circle that is not slow. */
+  double slow(double itsRadius) {
+    if (itsRadius != radius || gravity.size() != size) {
+      radius = itsRadius;
+      size = gravity.size();
+      slow = new ContactClock(size).slowOf(radius);
+    }
+    return slow;
+  }
+
+  /**
+   * Counts impacts of a circle at one place. Bounces on one thing do not count.
+   *
+   * @param way how far it moved since the last one, relative to what it hits
+   * @param again whether it hits the same thing again
+   * @param pushes whether that moves towards it, and does not give way
+   */
+  static void count(MovingCircle m, double way, boolean again, boolean pushes) {
+    m.pushed |= pushes;
+    if (way > (m.pushed ? PUSHED_PLACE * m.radius : PLACE * size(m))) {
+      m.stuck = 0;
+      m.pushed = pushes;
+    } else if (!again) {
+      m.stuck = Math.min(m.stuck + 1, MovingCircle.STUCK_LIMIT);
+    }
+  }
+
+  private static boolean isMany(MovingCircle m, double e) {
+    return m.stuck > ContactLaw.IMPACTS && (e < 1 || m.stuck > ContactLaw.IMPACTS * ELASTIC);
+  }
+
+  /** Whether gravity presses a circle onto a thing, by more than the normal is rounded. */
+  private boolean isPressed(MovingCircle m, double pull) {
+    double part = pull / gravity.size();
+    return pull < 0 && part * part > turn(m);
+  }
+
+  /**
+   * The square of the sine by which a step of height d, which is rounding, turns a normal: {@code 2
+   * d / r}.
+   */
+  static double turn(MovingCircle m) {
+    return 2 * STEP_ULPS * Math.ulp(size(m)) / m.radius;
+  }
+
+  private static double size(MovingCircle m) {
+    return Math.max(Math.abs(m.x) + Math.abs(m.y), m.radius);
+  }
+
+  /** The rule for a circle that meets an obstacle; flat: a side, on no other one. */
+  int of(MovingCircle m, boolean flat, double e, double approach, double pull) {
+    boolean pressed = isPressed(m, pull);
+    double up = e * approach;
+    if (isMany(m, e)) {
+      return JOIN;
+    }
+    if (pressed && up * up < -2 * pull * ContactLaw.FLAT * m.radius) {
+      return flat ? SLIDE : JOIN;
+    }
+    return flat || e >= 1 || !pressed || approach >= slow(m.radius) ? BOUNCE : JOIN;
+  }
+
+  /** The rule for two circles. */
+  int of(MovingCircle a, MovingCircle b, double e, double approach, double pull) {
+    boolean pressed = isPressed(a, pull) && isPressed(b, pull);
+    double smaller = Math.min(a.radius, b.radius);
+    double up = e * approach;
+    boolean hops = !pressed || up * up >= -2 * pull * ContactLaw.FLAT * smaller;
+    if (isMany(a, e) || isMany(b, e) || !hops) {
+      return JOIN;
+    }
+    return e >= 1 || !pressed || approach >= slow(smaller) ? BOUNCE : JOIN;
+  }
+
+  /**
+   * Marks the row of an impact, and whether the circle settled: by the first slow one after a fast
+   * one. Later ones have no row.
+   */
+  static void mark(MovingCircle m, boolean settles, ImpactRows log) {
+    if (settles && m.settled) {
+      log.removeLast();
+    } else if (settles) {
+      log.setOutcome(ImpactRows.SETTLED);
+    }
+    m.settled = settles;
+  }
+}
