@@ -9,21 +9,17 @@ import static org.junit.jupiter.api.Assumptions.assumeFalse;
 import dev.carom.bench.view.Look;
 import java.awt.EventQueue;
 import java.awt.GraphicsEnvironment;
-import java.awt.KeyboardFocusManager;
 import java.awt.Point;
 import java.awt.Robot;
-import java.awt.Window;
 import java.awt.event.InputEvent;
 import java.io.File;
 import java.nio.channels.FileChannel;
 import java.nio.file.Files;
 import java.nio.file.Path;
-import java.util.Arrays;
 import java.util.concurrent.Callable;
 import java.util.concurrent.ExecutionException;
 import java.util.concurrent.FutureTask;
 import java.util.concurrent.TimeUnit;
-import java.util.stream.Stream;
 import javax.imageio.ImageIO;
 import javax.swing.JFrame;
 
@@ -120,25 +116,6 @@ public final class Screen {
     }
   }
 
-  /** Waits until one dialog of the window has the keys. */
-  public void untilDialog() throws Exception {
-    until(
-        () -> {
-          Window[] focused = {
-            KeyboardFocusManager.getCurrentKeyboardFocusManager().getFocusedWindow()
-          };
-          assertThat(dialogs()).containsExactly(focused);
-        });
-  }
-
-  public void untilNoDialog() throws Exception {
-    until(() -> assertThat(dialogs()).isEmpty());
-  }
-
-  private Stream<Window> dialogs() {
-    return Arrays.stream(frame.getOwnedWindows()).filter(Window::isVisible);
-  }
-
   public void hold(int key) {
     robot.keyPress(key);
   }
@@ -154,10 +131,6 @@ public final class Screen {
 
   public void move(Point to) {
     robot.mouseMove(to.x, to.y);
-  }
-
-  public void turnWheel(int notches) {
-    robot.mouseWheel(notches);
   }
 
   public void press(Point at) {

@@ -7,9 +7,8 @@ import dev.carom.bench.experiment.Crosses;
 import dev.carom.bench.experiment.Gas;
 import dev.carom.bench.fuzz.EndScene;
 import dev.carom.bench.fuzz.FindingException;
-import dev.carom.bench.fuzz.QueryFuzz;
 import dev.carom.bench.fuzz.Soak;
-import dev.carom.bench.fuzz.SoakResult;
+import dev.carom.bench.fuzz.SoakTimes;
 import dev.carom.bench.fuzz.WorldFuzz;
 import dev.carom.bench.replay.Counted;
 import java.io.PrintWriter;
@@ -27,7 +26,7 @@ import picocli.CommandLine.ParameterException;
 import picocli.CommandLine.Spec;
 import picocli.CommandLine.TypeConversionException;
 
-/** Looks for what must not be, in random worlds and queries. */
+/** Looks for what must not be, in random worlds. */
 @Command(
     name = "fuzz",
     description = {
@@ -39,12 +38,9 @@ import picocli.CommandLine.TypeConversionException;
           + " continuous and pass through no line, peg, wall or circle; nothing hangs in the air;"
           + " energy is as the responses allow; the log is in the order of time; rows and states"
           + " are the same if the step is cut, restored on the way, or of one circle alone.",
-      "With --queries it asks the detector with numbers of all patterns instead.",
-      "With --impacts it runs one world for very many impacts: the canonical scene, with every"
-          + " flight checked against every line; a gas; or a scene on which the end rule works, with"
-          + " each step checked as above. It tells escapes, crossings, energy, heap in use, and time"
-          + " per impact at the start and at the end. It fails if a circle escapes or crosses, or the"
-          + " energy changes by more than 1e-11 of itself.",
+      "With --impacts it runs one world for very many impacts, with each step checked as above: the"
+          + " canonical scene, a gas, or a scene on which the end rule works. It tells the heap in"
+          + " use, and the time per impact at the start and at the end.",
       "The first finding ends the run, with the seed and the scene that show it again."
     },
     footer = {
@@ -56,16 +52,12 @@ import picocli.CommandLine.TypeConversionException;
     sortOptions = false)
 final class FuzzCommand implements Callable<Integer> {
 
-  private static final List<String> LENGTHS =
-      List.of("--seconds", "--sessions", "--queries", "--impacts");
+  private static final List<String> LENGTHS = List.of("--seconds", "--sessions", "--impacts");
 
   /** Options of a run of very many impacts. */
   private static final List<String> SCENES = List.of("--scene", "--gas", "--circles");
 
   private static final double PACKING = 0.2;
-
-  /** Queries between two looks at the progress. */
-  private static final int PARTS = 20;
 
   @Spec private CommandSpec spec;
 
@@ -81,9 +73,6 @@ final class FuzzCommand implements Callable<Integer> {
       paramLabel = "N",
       description = "Play so many worlds instead, each with its own seed from --seed on.")
   private Integer sessions;
-
-  @Option(names = "--queries", paramLabel = "N", description = "Ask so many queries instead.")
-  private Long queries;
 
   @Option(
       names = "--impacts",
@@ -119,8 +108,7 @@ final class FuzzCommand implements Callable<Integer> {
       names = "--seed",
       paramLabel = "S",
       defaultValue = "1",
-      description =
-          "Of the first world, of all queries, or of the one scene (default: ${DEFAULT-VALUE}).")
+      description = "Of the first world, or of the one scene (default: ${DEFAULT-VALUE}).")
   private long seed;
 
   @Override
@@ -129,9 +117,6 @@ final class FuzzCommand implements Callable<Integer> {
     Bounded.atLeast(1, "--seconds", seconds, spec);
     if (sessions != null) {
       Bounded.atLeast(1, "--sessions", sessions, spec);
-    }
-    if (queries != null) {
-      Bounded.atLeast(1, "--queries", queries, spec);
     }
     if (impacts == null) {
       for (String option : SCENES) {
@@ -149,7 +134,7 @@ final class FuzzCommand implements Callable<Integer> {
       if (impacts != null) {
         soak();
       } else {
-        print(queries != null ? ask() : play());
+        print(play());
       }
     } catch (FindingException e) {
       throw new IllegalStateException(e.getMessage(), e);
@@ -174,22 +159,6 @@ final class FuzzCommand implements Callable<Integer> {
     PrintWriter out = spec.commandLine().getOut();
     out.println(line);
     out.flush();
-  }
-
-  private String ask() throws FindingException {
-    QueryFuzz fuzz = new QueryFuzz(seed);
-    try (Progress progress = Progress.start("fuzz", PARTS)) {
-      for (int part = 1; part <= PARTS; part++) {
-        fuzz.ask(queries * part / PARTS - fuzz.queries());
-        progress.step();
-      }
-    }
-    return String.format(
-        Locale.ROOT,
-        "no finding in %s: %s, %,d refused as they must be",
-        Counted.of(fuzz.queries(), "query", "queries"),
-        Counted.of(fuzz.hits(), "hit"),
-        fuzz.refused());
   }
 
   private String play() throws FindingException {
@@ -220,32 +189,18 @@ final class FuzzCommand implements Callable<Integer> {
   }
 
   private void soak() throws FindingException, CannotPlaceException {
-    if (kind != null) {
-      print("soak       --scene " + kind + " --seed " + seed);
-      print(run(told -> Soak.run(kind, seed, impacts, told)).render("").stripTrailing());
-      return;
-    }
-    Scene scene = scene();
+    Scene scene = kind == null ? scene() : null;
     print(
-        "soak       %s--circles %d --seed %d"
-            .formatted(gas ? "--gas " : "", scene.circleCount(), seed));
-    SoakResult result = run(told -> Soak.run(scene, impacts, told));
-    print(result.render().stripTrailing());
-    if (!result.holds()) {
-      throw new IllegalStateException("the run does not hold what it must: see above");
-    }
-  }
-
-  /** A run that tells each of its rounds. */
-  @FunctionalInterface
-  private interface Rounds<T> {
-    T play(IntConsumer told) throws FindingException;
-  }
-
-  private <T> T run(Rounds<T> rounds) throws FindingException {
+        kind == null
+            ? "soak       %s--circles %d --seed %d"
+                .formatted(gas ? "--gas " : "", scene.circleCount(), seed)
+            : "soak       --scene " + kind + " --seed " + seed);
     try (Progress progress = Progress.start("fuzz", Soak.ROUNDS)) {
       RoundsLeft left = new RoundsLeft(progress, spec.commandLine().getErr());
-      return rounds.play(round -> left.tell(round, Soak.ROUNDS));
+      IntConsumer told = round -> left.tell(round, Soak.ROUNDS);
+      SoakTimes times =
+          kind == null ? Soak.run(scene, impacts, told) : Soak.run(kind, seed, impacts, told);
+      print(times.render().stripTrailing());
     }
   }
 

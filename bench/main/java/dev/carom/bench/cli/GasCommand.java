@@ -4,7 +4,6 @@ package dev.carom.bench.cli;
 import dev.carom.Scene;
 import dev.carom.bench.experiment.CannotPlaceException;
 import dev.carom.bench.experiment.Gas;
-import dev.carom.bench.experiment.MixedGas;
 import dev.carom.bench.gas.GasOverlap;
 import dev.carom.bench.gas.GasReplay;
 import dev.carom.bench.gas.GasSteady;
@@ -58,11 +57,6 @@ final class GasCommand implements Callable<Integer> {
       defaultValue = "1",
       description = "Radii are uniform from 1 to R (default: ${DEFAULT-VALUE}).")
   private double spread;
-
-  @Option(
-      names = "--mixed",
-      description = "Radii are log-uniform from 1 to R, small circles between large ones.")
-  private boolean mixed;
 
   @Option(names = "--heavy", description = "Masses are radii squared; without it, all are 1.")
   private boolean heavy;
@@ -139,22 +133,19 @@ final class GasCommand implements Callable<Integer> {
 
   private Scene scene() throws CannotPlaceException {
     try {
-      return mixed
-          ? new MixedGas(circles, packing, spread, heavy, seed).scene()
-          : new Gas(circles, packing, spread, heavy, seed).scene();
+      return new Gas(circles, packing, spread, heavy, seed).scene();
     } catch (IllegalArgumentException e) {
       throw Bounded.refused(e, spec);
     }
   }
 
   private String name() {
-    return "--seed %d --circles %d --packing %s --spread %s%s%s"
+    return "--seed %d --circles %d --packing %s --spread %s%s"
         .formatted(
             seed,
             circles,
             Decimals.plain(packing),
             Decimals.plain(spread),
-            mixed ? " --mixed" : "",
             heavy ? " --heavy" : "");
   }
 

@@ -4,7 +4,6 @@ package dev.carom.bench.cli;
 import dev.carom.Scene;
 import dev.carom.bench.reference.LastPlace;
 import dev.carom.bench.reference.References;
-import dev.carom.bench.reference.Reversal;
 import dev.carom.bench.reference.Truth;
 import java.io.IOException;
 import java.io.PrintWriter;
@@ -39,9 +38,6 @@ final class ReferenceCommand implements Callable<Integer> {
 
   private static final String HEADER =
       "scene   circles  impacts  digits: least  median   most  10^x worst  seconds    bytes";
-
-  private static final String REVERSAL_HEADER =
-      "scene   digits, at most  back to    with 39 digits more  back in doubles, to 1e-6  seconds";
 
   @Spec private CommandSpec spec;
 
@@ -78,13 +74,6 @@ final class ReferenceCommand implements Callable<Integer> {
       description = "Store the references, as they stand in this jar.")
   private Path folder;
 
-  @Option(
-      names = "--back",
-      description =
-          "Let time run forwards, turn all velocities round, and run back: exact numbers return"
-              + " to their start, doubles do not. Needs twice the digits.")
-  private boolean back;
-
   @Override
   public Integer call() throws IOException {
     Bounded.atLeast(1, "--frames", frames, spec);
@@ -105,24 +94,20 @@ final class ReferenceCommand implements Callable<Integer> {
             spec.commandLine(), "SCENE is " + name + ": expected one of " + References.STORED);
       }
     }
-    if (back && folder != null) {
-      throw new ParameterException(spec.commandLine(), "--back and --write exclude each other");
-    }
     PrintWriter out = spec.commandLine().getOut();
-    out.println(back ? REVERSAL_HEADER : HEADER);
+    out.println(HEADER);
     out.flush();
     for (String name : scenes) {
       Scene scene = References.scene(name);
-      out.println(back ? reversal(name, scene) : truth(name, scene));
+      out.println(truth(name, scene));
       out.flush();
     }
     return 0;
   }
 
   private int printLastPlaces() throws IOException {
-    if (scenes != null || folder != null || back) {
-      throw new ParameterException(
-          spec.commandLine(), "--scene excludes SCENE, --write and --back");
+    if (scenes != null || folder != null) {
+      throw new ParameterException(spec.commandLine(), "--scene excludes SCENE and --write");
     }
     PrintWriter out = spec.commandLine().getOut();
     Scene scene = Scene.read(file);
@@ -161,23 +146,5 @@ final class ReferenceCommand implements Callable<Integer> {
         folder == null
             ? "-"
             : String.format(Locale.ROOT, "%,d", References.write(truth, name, folder)));
-  }
-
-  private String reversal(String name, Scene scene) {
-    long start = System.nanoTime();
-    Reversal reversal;
-    try (Progress progress = Progress.start(name, scene.circleCount())) {
-      reversal = Reversal.of(scene, frames, progress::step);
-    }
-    return String.format(
-        Locale.ROOT,
-        "%-6s  %15.0f  1e%-5.0f  1e%-20.0f  %16d of %3d  %7.1f",
-        name,
-        reversal.bits() * DIGITS_PER_BIT,
-        -reversal.digits(),
-        -reversal.digitsOfMore(),
-        reversal.returned(),
-        reversal.circles(),
-        (System.nanoTime() - start) / 1e9);
   }
 }

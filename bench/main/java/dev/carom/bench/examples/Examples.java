@@ -8,16 +8,11 @@ import java.util.Locale;
 public enum Examples {
   BREAKOUT("a paddle is a line that moves between frames", 900),
   BILLIARDS("an aiming line that sees balls; friction is a velocity set between frames", 900),
-  GAS("speeds relax to those of Maxwell and Boltzmann", 200),
-  AIM("the way that a shot would take, bounces included", 0),
-  SINAI("two orbits that start a trillionth apart", 530),
   PI("pi by counting collisions", 345),
   PHOTON("a photon among mirrors, and the digits of its place that are sure", 300),
   LOOP("fixed steps in a Swing timer, with gravity", 100),
   THREADS("a scene split over two threads", 150),
   PADDLE("a paddle that moves as a player wants it, and pushes the ball", 330),
-  LIFT("a platform that carries a ball and throws two", 45),
-  PISTON("a gas that a lid compresses warms by the adiabatic law", 1_000),
   WHATIF("a recorded run, and another future of it with a wall elsewhere", 240),
   PLINKO("balls fall among pegs, and the slots below count them", 12_000),
   PINBALL("slopes, bumpers and a plunger under gravity", 1_500);
@@ -45,16 +40,11 @@ public enum Examples {
     return switch (this) {
       case BREAKOUT -> new Breakout();
       case BILLIARDS -> new Billiards();
-      case GAS -> new Relaxation();
-      case AIM -> new AimingLine();
-      case SINAI -> new SinaiBilliard();
       case PI -> new PiCollisions();
       case PHOTON -> new Photon();
       case LOOP -> new GameLoop();
       case THREADS -> new Threads();
       case PADDLE -> new Paddle();
-      case LIFT -> new Lift();
-      case PISTON -> new Piston();
       case WHATIF -> new WhatIf();
       case PLINKO -> new Plinko();
       case PINBALL -> new Pinball();

@@ -6,9 +6,10 @@ import java.lang.management.ManagementFactory;
 import java.lang.management.ThreadMXBean;
 import java.util.Arrays;
 import java.util.Random;
+import java.util.Set;
 import java.util.function.IntConsumer;
 
-/** A world that runs for a given number of impacts, in rounds. */
+/** A world that runs for a given number of impacts, in rounds; each step is checked. */
 public final class Soak {
 
   /** Rounds of a run. */
@@ -20,94 +21,72 @@ public final class Soak {
   /** Rows of a step up to which each flight is checked. */
   private static final int MOST_ROWS = 20_000;
 
+  /** The length of a step of a scene that nobody steers, in frames. */
+  private static final double STEP = 10;
+
   /** For the processor's time, not the clock's: long runs have neighbours. */
   static final ThreadMXBean THREADS = ManagementFactory.getThreadMXBean();
 
-  /** A run that plays step by step and looks for what must not be. */
-  interface Run {
-
-    /** Plays one step, and returns how long it took of the processor, in nanoseconds. */
-    long step() throws FindingException;
-
-    /** Impacts so far. */
-    long impacts();
-
-    /** The world's time. */
-    double now();
-
-    /** Looks at the world at the end of a round. */
-    default void endRound() {}
+  /** Plays one step, and returns how long it took of the processor, in nanoseconds. */
+  private interface Step {
+    long play(StepWatch watch) throws FindingException;
   }
 
   private Soak() {}
 
   /**
-   * Runs an elastic scene of finite masses.
+   * Runs a scene that nobody steers.
    *
-   * @param impacts at least so many, after a twentieth of them that warms up and counts as well
+   * @param impacts at least so many
    * @param afterRound told of each round that is done, from 1 to {@link #ROUNDS}
+   * @throws FindingException if something is not as it must be, or nothing is hit in a step
    */
-  public static SoakResult run(Scene scene, long impacts, IntConsumer afterRound) {
-    ElasticRun run = new ElasticRun(scene);
-    try {
-      SoakTimes times = run(run, impacts, afterRound);
-      return run.result(times);
-    } catch (FindingException e) {
-      throw new AssertionError("an elastic run counts what it finds", e);
+  public static SoakTimes run(Scene scene, long impacts, IntConsumer afterRound)
+      throws FindingException {
+    StepWatch watch = new StepWatch(scene, 1, Set.of(), MOST_ROWS, 1);
+    return run(watch, Soak::stepOn, impacts, afterRound);
+  }
+
+  private static long stepOn(StepWatch watch) throws FindingException {
+    long nanos = watch.step(STEP);
+    watch.demandEnd();
+    if (watch.rows() == 0) {
+      throw new FindingException("no impact in a step: expected a scene with impacts");
     }
+    return nanos;
   }
 
   /**
-   * Runs a scene on which the end rule works, and checks each step as a fuzz does.
+   * Runs a scene on which the end rule works.
    *
    * @param impacts at least so many
    * @param afterRound told of each round that is done
-   * @return how long it took
    * @throws FindingException if something is not as it must be
    */
   public static SoakTimes run(EndScene.Kind kind, long seed, long impacts, IntConsumer afterRound)
       throws FindingException {
     EndScene ends = new EndScene(kind, new Random(seed), 1, 1);
     StepWatch watch = new StepWatch(ends.scene(), 1, ends.trapped(), MOST_ROWS, seed);
-    return run(
-        new Run() {
-          @Override
-          public long step() throws FindingException {
-            return watch.step(ends, false);
-          }
-
-          @Override
-          public long impacts() {
-            return watch.impacts();
-          }
-
-          @Override
-          public double now() {
-            return watch.world().now();
-          }
-        },
-        impacts,
-        afterRound);
+    return run(watch, each -> each.step(ends, false), impacts, afterRound);
   }
 
-  private static SoakTimes run(Run run, long impacts, IntConsumer afterRound)
+  private static SoakTimes run(StepWatch watch, Step step, long impacts, IntConsumer afterRound)
       throws FindingException {
     double[] nanosPerImpact = new double[ROUNDS];
     long heap = 0;
     for (int round = 0; round < ROUNDS; round++) {
-      long before = run.impacts();
+      long before = watch.impacts();
       long nanos = 0;
-      while (run.impacts() < impacts * (round + 1) / ROUNDS) {
-        nanos += run.step();
+      while (watch.impacts() < impacts * (round + 1) / ROUNDS) {
+        nanos += step.play(watch);
       }
-      run.endRound();
-      nanosPerImpact[round] = (double) nanos / Math.max(1, run.impacts() - before);
+      nanosPerImpact[round] = (double) nanos / Math.max(1, watch.impacts() - before);
       heap = round == 0 ? heapInUse() : heap;
       afterRound.accept(round + 1);
     }
     return new SoakTimes(
-        run.impacts(),
-        run.now(),
+        watch.impacts(),
+        watch.world().now(),
         heap,
         heapInUse(),
         median(nanosPerImpact, 1, 1 + ROUNDS / SHARE),

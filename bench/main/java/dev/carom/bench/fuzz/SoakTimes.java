@@ -25,17 +25,15 @@ public record SoakTimes(
     double leastNanos,
     double mostNanos) {
 
-  /** A line for each figure, with other lines after the first one. */
-  public String render(String others) {
+  /** A line for each figure. */
+  public String render() {
     return String.format(
         Locale.ROOT,
         "impacts    %,d, to time %,.0f%n"
-            + "%s"
             + "heap       %,d KiB in use at the start, %,d KiB at the end%n"
             + "CPU time   %,.1f ns per impact at the start, %,.1f ns at the end (rounds %,.1f .. %,.1f)%n",
         impacts,
         end,
-        others,
         heapAtStart >> 10,
         heapAtEnd >> 10,
         nanosAtStart,

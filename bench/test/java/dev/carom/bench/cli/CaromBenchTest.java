@@ -80,7 +80,7 @@ class CaromBenchTest {
         "help --circles 5               | Unknown option: '--circles'",
         "view --dt 0                    | --dt is 0.0: expected a finite number",
         "threads --threads 0            | --threads is 0: expected at least 1",
-        "example nosuch                 | 'nosuch' is none of [breakout, billiards, gas, aim, sinai",
+        "example nosuch                 | 'nosuch' is none of [breakout, billiards, pi, photon",
         "example --png a.png            | NAME is missing: expected one of [breakout, billiards,",
         "simulate --scene a --frames 1 --positions b.csv --impacts ./b.csv | --impacts is ./b.csv: exp",
         "simulate --scene a --frames 1 --positions ./a | --positions is ./a: expected another file",
@@ -98,7 +98,7 @@ class CaromBenchTest {
         "replay --speed NaN             | 'NaN' is not a speed, or a range such as 1..10",
         "replay --speed 1..Infinity     | '1..Infinity' is not a speed, or a range such as",
         "hash --frames 2 --long         | --frames and --long exclude each other",
-        "fuzz --seconds 3 --queries 9   | --seconds and --queries exclude each other",
+        "fuzz --seconds 3 --sessions 9  | --seconds and --sessions exclude each other",
         "cast                           | Missing required parameter: 'FILE|-'"
       })
   void wrongCommandLinesAreOneLineAndExitCodeTwo(String words, String message) {

@@ -85,14 +85,14 @@ class GasCommandTest {
 
   @Test
   void mixesSizes() {
-    Cli run = Cli.run("gas --mixed --spread 50 --circles 80 --frames 9 --replays 1 --heavy");
+    Cli run = Cli.run("gas --spread 50 --circles 80 --frames 9 --replays 1 --heavy");
 
     assertThat(run.exitCode()).isZero();
     assertThat(run.out().lines().findFirst())
-        .contains("gas      --seed 1 --circles 80 --packing 0.2 --spread 50 --mixed --heavy");
-    Cli usage = Cli.run("gas --mixed --packing 0.5");
+        .contains("gas      --seed 1 --circles 80 --packing 0.2 --spread 50 --heavy");
+    Cli usage = Cli.run("gas --packing 1.5");
     assertThat(usage.exitCode()).isEqualTo(2);
-    assertThat(usage.err()).contains("packing is 0.5: expected").hasLineCount(1);
+    assertThat(usage.err()).contains("packing is 1.5: expected").hasLineCount(1);
   }
 
   @Test

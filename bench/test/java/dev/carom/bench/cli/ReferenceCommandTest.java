@@ -38,28 +38,11 @@ class ReferenceCommandTest {
   }
 
   @Test
-  void goesBack() {
-    Cli run = Cli.run("reference base-1 --frames 5 --back");
-
-    assertThat(run.exitCode()).isZero();
-    assertThat(run.out()).containsPattern("base-1 .* 100 of 100");
-  }
-
-  @Test
   void namesTheScenesItKnows() {
     Cli run = Cli.run("reference base-9");
 
     assertThat(run.exitCode()).isEqualTo(2);
     assertThat(run.err()).contains("SCENE is base-9: expected one of [base-1");
-  }
-
-  @Test
-  void storesNothingOnTheWayBack(@TempDir Path folder) {
-    Cli run = Cli.run("reference base-1 --back --write", folder);
-
-    assertThat(run.exitCode()).isEqualTo(2);
-    assertThat(run.err()).contains("--back and --write exclude each other");
-    assertThat(folder).isEmptyDirectory();
   }
 
   /**
@@ -98,7 +81,7 @@ class ReferenceCommandTest {
 
     Cli run = Cli.run("reference base-1 --scene", file);
     assertThat(run.exitCode()).isEqualTo(2);
-    assertThat(run.err()).contains("--scene excludes SCENE, --write and --back");
+    assertThat(run.err()).contains("--scene excludes SCENE and --write");
 
     Cli ofDigits = Cli.run("reference base-1 --digits 5");
     assertThat(ofDigits.exitCode()).isEqualTo(2);

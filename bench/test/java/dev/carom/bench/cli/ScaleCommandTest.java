@@ -15,7 +15,7 @@ class ScaleCommandTest {
   @Test
   void tellsTimesGrowthAndMemory(@TempDir Path folder) throws IOException {
     Path csv = folder.resolve("scale.csv");
-    Cli run = Cli.run("scale --quick --csv", csv, "--pictures", folder);
+    Cli run = Cli.run("scale --quick --rounds 1 --warm-up 0 --csv", csv, "--pictures", folder);
 
     assertThat(run.exitCode()).isZero();
     assertThat(run.out().lines())

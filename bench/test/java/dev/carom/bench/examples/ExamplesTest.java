@@ -7,7 +7,6 @@ import static org.assertj.core.api.Assertions.offset;
 import dev.carom.Impact;
 import dev.carom.ImpactLog;
 import dev.carom.ObstacleKind;
-import dev.carom.Trajectory;
 import dev.carom.Vec2;
 import dev.carom.World;
 import java.awt.Color;
@@ -28,7 +27,6 @@ import java.util.regex.Matcher;
 import java.util.regex.Pattern;
 import java.util.stream.Stream;
 import javax.tools.ToolProvider;
-import org.apache.commons.math3.stat.inference.ChiSquareTest;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
@@ -78,16 +76,11 @@ class ExamplesTest {
       strings = {
         "Breakout",
         "Billiards",
-        "Relaxation",
-        "AimingLine",
-        "SinaiBilliard",
         "PiCollisions",
         "Photon",
         "GameLoop",
         "SplitWorld",
         "Paddle",
-        "Lift",
-        "Piston",
         "WhatIf",
         "Plinko",
         "Pinball"
@@ -286,25 +279,6 @@ class ExamplesTest {
     assertThat(world.vx(0)).isZero();
   }
 
-  @Test
-  void twoOrbitsPartByAFactorEachTimeTheyHitTheDisk() {
-    SinaiBilliard billiard = new SinaiBilliard();
-    for (int i = 0; i < 300; i++) {
-      billiard.frame();
-    }
-    double middle = billiard.distance(300);
-    for (int i = 0; i < 400; i++) {
-      billiard.frame();
-    }
-    assertThat(billiard.distance(0)).isCloseTo(SinaiBilliard.APART, offset(1e-14));
-    assertThat(middle).isBetween(1e-8, 1e-2);
-    assertThat(billiard.distance(700)).isGreaterThan(10);
-    billiard.point(new Vec2(0.3, 0.9));
-    billiard.press();
-    assertThat(billiard.world().now()).isZero();
-    assertThat(billiard.world().vy(0)).isPositive();
-  }
-
   /** The published digits: F. Bornemann et al., The SIAM 100-Digit Challenge, 2004. */
   @Test
   void thePhotonShowsTheDigitsThatAreSure() {
@@ -341,17 +315,6 @@ class ExamplesTest {
     assertThat(pi.count(4)).isZero();
   }
 
-  @Test
-  void aClickMakesAllSpeedsOfTheGasOneAgain() {
-    Relaxation gas = new Relaxation();
-    for (int i = 0; i < 20; i++) {
-      gas.frame();
-    }
-    gas.press();
-    assertThat(Arrays.stream(gas.speeds()).max().getAsDouble()).isCloseTo(1, offset(1e-15));
-    assertThat(Arrays.stream(gas.speeds()).min().getAsDouble()).isCloseTo(1, offset(1e-15));
-  }
-
   private static double energy(World world) {
     double sum = 0;
     for (int id = 0; id < world.idLimit(ObstacleKind.CIRCLE); id++) {
@@ -373,50 +336,6 @@ class ExamplesTest {
       }
     }
     return least;
-  }
-
-  @Test
-  void speedsRelaxToThoseOfMaxwellAndBoltzmann() {
-    Relaxation gas = new Relaxation();
-    assertThat(chance(gas)).as("all of one speed").isLessThan(1e-9);
-    for (int i = 0; i < 200; i++) {
-      gas.frame();
-    }
-    assertThat(chance(gas)).isGreaterThan(0.001);
-  }
-
-  /** How likely the law gives counts that lie as far off, over bins of equal probability. */
-  private static double chance(Relaxation gas) {
-    int bins = 20;
-    long[] counts = new long[bins];
-    double[] expected = new double[bins];
-    double[] speeds = gas.speeds();
-    Arrays.fill(expected, speeds.length / (double) bins);
-    for (double v : speeds) {
-      counts[(int) Math.min(bins - 1, Relaxation.law(v) * bins)]++;
-    }
-    return new ChiSquareTest().chiSquareTest(expected, counts);
-  }
-
-  @ParameterizedTest
-  @ValueSource(booleans = {false, true})
-  void theBallTakesTheWayOfTheAimingLine(boolean falls) {
-    AimingLine game = new AimingLine();
-    if (falls) {
-      game.key(KeyEvent.VK_G, true);
-      game.key(KeyEvent.VK_G, false);
-    }
-    game.point(new Vec2(0.8, 0.9));
-    Trajectory line = game.line();
-    game.press();
-    World world = game.world();
-    for (int frame = 1; frame <= line.duration(); frame++) {
-      game.frame();
-      // The world keeps its clock to more places than the line, whose times are doubles.
-      assertThat(world.x(0)).as("frame %d", frame).isCloseTo(line.at(frame).x(), offset(1e-11));
-      assertThat(world.y(0)).as("frame %d", frame).isCloseTo(line.at(frame).y(), offset(1e-11));
-    }
-    assertThat(line.impacts()).hasSize(6);
   }
 
   @Test
@@ -478,54 +397,6 @@ class ExamplesTest {
     }
     assertThat(game.lost()).isPositive();
     assertThat(game.world().line(0).by()).isCloseTo(160, offset(1e-12));
-  }
-
-  /** One ball stays on it, up and down; the others are thrown higher than they fell from. */
-  @Test
-  void theLiftCarriesOneBallAndThrowsTwo() {
-    Lift lift = new Lift();
-    World world = lift.world();
-    double highest = 0;
-    for (int i = 0; i < 400; i++) {
-      lift.frame();
-      double gap = world.y(Lift.RIDER) - world.radius(Lift.RIDER) - lift.level();
-      if (i > 50 && world.velocity(ObstacleKind.LINE, 0).y() == Lift.SPEED) {
-        assertThat(gap).as("frame %d", i).isCloseTo(0, offset(1e-11));
-        assertThat(world.vy(Lift.RIDER)).as("frame %d", i).isEqualTo(Lift.SPEED);
-      }
-      assertThat(gap).as("frame %d", i).isGreaterThan(-1e-11);
-      highest = Math.max(highest, world.y(2));
-    }
-    assertThat(highest).isGreaterThan(85 + 30);
-    lift.press();
-    for (int i = 0; i < 200; i++) {
-      lift.frame();
-    }
-    double called = lift.level();
-    lift.key(called > 50 ? KeyEvent.VK_DOWN : KeyEvent.VK_UP, true);
-    for (int i = 0; i < 200; i++) {
-      lift.frame();
-    }
-    assertThat(Math.abs(lift.level() - called)).isCloseTo(70, offset(1e-12));
-  }
-
-  /** E V stays, to what 400 circles and a lid of this speed let one expect; E itself doubles. */
-  @Test
-  void thePistonFollowsTheAdiabaticLaw() {
-    Piston piston = new Piston();
-    double before = energy(piston.world());
-    for (int i = 0; i < 1_000; i++) {
-      piston.frame();
-      assertThat(piston.invariant()).as("frame %d", i).isBetween(0.97, 1.03);
-    }
-    assertThat(energy(piston.world()) / before).isCloseTo(2.06, offset(0.06));
-    for (int i = 1_000; i < 2_400; i++) {
-      piston.frame();
-    }
-    assertThat(energy(piston.world()) / before).isCloseTo(1, offset(0.05));
-    Vec2 way = piston.world().velocity(ObstacleKind.LINE, 0);
-    piston.press();
-    assertThat(piston.world().velocity(ObstacleKind.LINE, 0).x()).isEqualTo(-way.x());
   }
 
   /** Each ball arrives once; where they were let go in the middle, they arrive around it. */

@@ -15,7 +15,6 @@ import java.util.HashSet;
 import java.util.Set;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
-import org.junit.jupiter.params.provider.CsvSource;
 import org.junit.jupiter.params.provider.ValueSource;
 
 class CrossesTest {
@@ -88,45 +87,6 @@ class CrossesTest {
         assertThat(distance(middle(one), middle(scene.line(j)))).isGreaterThan(45 - 1e-12);
       }
     }
-  }
-
-  @ParameterizedTest
-  @CsvSource({"1, 10, 1, 10", "2, 5, 20, 100", "3, 1, 4, 4", "4, 20, 0, 1"})
-  void circlesStandFreeAndMoveAsAsked(long seed, double radius, double least, double most)
-      throws CannotPlaceException {
-    Scene scene = new Crosses(100, 50, radius, least, most, seed).scene();
-
-    assertThat(scene.circleCount()).isEqualTo(100);
-    for (int i = 0; i < 100; i++) {
-      Circle circle = scene.circle(i);
-      assertThat(circle.radius()).isEqualTo(radius);
-      assertThat(circle.x()).isBetween(radius, 800 - radius);
-      assertThat(circle.y()).isBetween(radius, 600 - radius);
-      assertThat(scene.velocity(i).length()).isBetween(least - 1e-12, most + 1e-12);
-      for (int k = 0; k < scene.lineCount(); k++) {
-        Vec2 nearest = scene.line(k).closestPoint(circle.center());
-        assertThat(distance(nearest, circle.center())).isGreaterThan(radius - 1e-12);
-      }
-    }
-  }
-
-  @Test
-  void directionsAndSpeedsAreSpreadEvenly() throws CannotPlaceException {
-    int n = 20_000;
-    Scene scene = new Crosses(n, 0, 10, 1, 10, 7).scene();
-    double speeds = 0;
-    double toTheRight = 0;
-    double upwards = 0;
-    for (int i = 0; i < n; i++) {
-      Vec2 velocity = scene.velocity(i);
-      speeds += velocity.length() / n;
-      toTheRight += velocity.x() / velocity.length() / n;
-      upwards += velocity.y() / velocity.length() / n;
-    }
-    // Five standard errors: 9 / sqrt(12 n) of the speed, 1 / sqrt(2 n) of a cosine.
-    assertThat(speeds).isCloseTo(5.5, within(5 * 9 / Math.sqrt(12.0 * n)));
-    assertThat(toTheRight).isCloseTo(0, within(5 / Math.sqrt(2.0 * n)));
-    assertThat(upwards).isCloseTo(0, within(5 / Math.sqrt(2.0 * n)));
   }
 
   @Test

@@ -68,19 +68,6 @@ class GasTest {
     assertThat(covered / (bounds.xmax() * bounds.ymax())).isCloseTo(packing, within(1e-12));
   }
 
-  /** Temperature 1, whatever the mass: the mean energy is 1, its standard error 1 / sqrt(n). */
-  @Test
-  void hasTemperatureOne() throws CannotPlaceException {
-    int n = 20_000;
-    Scene scene = new Gas(n, 0.1, 2, true, 5).scene();
-    double energy = 0;
-    for (int i = 0; i < n; i++) {
-      double v = scene.velocity(i).length();
-      energy += scene.mass(i) * v * v / 2;
-    }
-    assertThat(energy / n).isCloseTo(1, within(5 / Math.sqrt(n)));
-  }
-
   @Test
   void saysSoWhereThereIsNoRoom() {
     assertThatThrownBy(() -> new Gas(100, 0.8, 1, false, 1).scene())

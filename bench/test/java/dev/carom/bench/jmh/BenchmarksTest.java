@@ -43,7 +43,6 @@ class BenchmarksTest {
     long benchmarks =
         Stream.of(
                 EditBenchmark.class,
-                ExactnessBenchmark.class,
                 GasBenchmark.class,
                 GrowthBenchmark.class,
                 QueryBenchmark.class,
@@ -61,7 +60,6 @@ class BenchmarksTest {
             .mode(Mode.SingleShotTime)
             .param("circles", "100")
             .param("lines", "100")
-            .param("family", "seg_uniform")
             .param("pegs", "2")
             .param("queries", "4096")
             .verbosity(VerboseMode.SILENT)

@@ -15,7 +15,6 @@ import dev.carom.bench.series.ScalePlan.Model;
 import java.lang.reflect.InvocationHandler;
 import java.lang.reflect.Proxy;
 import java.util.List;
-import java.util.concurrent.atomic.AtomicInteger;
 import org.junit.jupiter.api.Test;
 
 class ScaleTest {
@@ -38,34 +37,6 @@ class ScaleTest {
     assertThat(four.circle(399).x()).isEqualTo(last.circle(99).x() + 800);
     assertThat(four.circle(399).y()).isEqualTo(last.circle(99).y() + 600);
     assertThat(new Tiles(2, false, 5).scene().lineCount()).isZero();
-  }
-
-  @Test
-  void eachSceneHasTimesAndImpacts() throws CannotPlaceException {
-    AtomicInteger steps = new AtomicInteger();
-    List<Row> rows =
-        new Scale(new ScalePlan(List.of(1, 2), 3, 1, 0, 10_000, 1), 1)
-            .run(Model.ALONE, List.of(Methods.CAROM, Methods.POSTER), steps::incrementAndGet);
-
-    assertThat(steps).hasValue(2);
-    assertThat(rows).filteredOn(r -> r.metric().equals(Scale.IMPACTS)).hasSize(4);
-    for (String scene : List.of("scale:alone=100", "scale:alone=400")) {
-      for (String method : List.of("carom", "poster")) {
-        double median = value(rows, scene, method, "median");
-        assertThat(median).isPositive();
-        assertThat(value(rows, scene, method, "min")).isLessThanOrEqualTo(median);
-        assertThat(value(rows, scene, method, "max")).isGreaterThanOrEqualTo(median);
-      }
-    }
-  }
-
-  private static double value(List<Row> rows, String scene, String method, String stat) {
-    return rows.stream()
-        .filter(r -> r.scene().equals(scene) && r.method().equals(method))
-        .filter(r -> r.metric().equals(Scale.TIME) && r.stat().equals(stat))
-        .findFirst()
-        .orElseThrow()
-        .value();
   }
 
   /** A method that waits before each frame. */

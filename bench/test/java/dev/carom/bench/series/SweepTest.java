@@ -5,12 +5,9 @@ import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.within;
 
 import dev.carom.bench.experiment.CannotPlaceException;
-import dev.carom.bench.methods.Methods;
-import dev.carom.bench.results.Row;
 import dev.carom.bench.series.SweepPlan.Axis;
 import dev.carom.bench.series.SweepPlan.Point;
 import java.util.List;
-import java.util.concurrent.atomic.AtomicInteger;
 import org.junit.jupiter.api.Test;
 
 class SweepTest {
@@ -43,40 +40,6 @@ class SweepTest {
     for (Point point : SweepPlan.of(1, 600, 15, false).points()) {
       assertThat(point.crosses().scene().lineCount()).isEqualTo(2 * point.crosses().crosses());
     }
-  }
-
-  @Test
-  void eachPlaceHasMeanLeastAndGreatest() throws CannotPlaceException {
-    SweepPlan all = SweepPlan.of(1, 60, 3, true);
-    List<Point> few = all.points().stream().filter(p -> p.at() == 5).toList();
-    AtomicInteger steps = new AtomicInteger();
-    List<Row> rows =
-        new Sweep(new SweepPlan(60, 3, few), List.of(Methods.CAROM), 7)
-            .run(0, steps::incrementAndGet);
-
-    assertThat(steps).hasValue(2);
-    assertThat(value(rows, "sweep:radius=5", "min"))
-        .isLessThanOrEqualTo(value(rows, "sweep:radius=5", "mean"));
-    assertThat(value(rows, "sweep:radius=5", "mean"))
-        .isPositive()
-        .isLessThanOrEqualTo(value(rows, "sweep:radius=5", "max"));
-    assertThat(rows).extracting(Row::scene).contains("sweep:circles=5");
-    long framesByImpacts =
-        rows.stream()
-            .filter(r -> r.scene().startsWith("sweep:impacts=") && r.stat().equals("mean"))
-            .peek(r -> assertThat(r.n()).isGreaterThanOrEqualTo(5))
-            .mapToLong(Row::n)
-            .sum();
-    assertThat(framesByImpacts).isPositive().isLessThanOrEqualTo(60);
-  }
-
-  private static double value(List<Row> rows, String scene, String stat) {
-    return rows.stream()
-        .filter(r -> r.scene().equals(scene) && r.metric().equals(Sweep.TIME))
-        .filter(r -> r.stat().equals(stat))
-        .findFirst()
-        .orElseThrow()
-        .value();
   }
 
   @Test

@@ -76,13 +76,6 @@ class PlayerTest {
   }
 
   @Test
-  void saysThatNothingIsAhead() {
-    Player free = new Player(Scene.builder().circle(0, 0, 1, 1, 0).build(), 1);
-    assertThat(free.nextImpact()).isFalse();
-    assertThat(free.shown()).isZero();
-  }
-
-  @Test
   void showsThePastAndReplaysIt() {
     run(20);
     double end = x();
@@ -218,15 +211,6 @@ class PlayerTest {
     assertThat(player.cost()).extracting(TickCost::ticks, TickCost::impacts).containsExactly(7, 1L);
     assertThat(player.cost().frames()).isEqualTo(7);
     assertThat(player.cost().nanos()).isPositive();
-  }
-
-  @Test
-  void averagesOverASecondOfTicks() {
-    assertThat(new TickCost(60, 120, 1_200_000, 30).lines())
-        .containsExactly(
-            "10.0 µs a frame, between drawings", "30.0 impacts a second", "40,000 ns an impact");
-    assertThat(new TickCost(60, 60, 600, 0).lines())
-        .containsExactly("0.01 µs a frame, between drawings", "0.00 impacts a second");
   }
 
   @Test

@@ -7,26 +7,21 @@ import static org.assertj.core.api.Assertions.assertThat;
 import com.formdev.flatlaf.FlatLaf;
 import dev.carom.Circle;
 import dev.carom.Scene;
-import dev.carom.Vec2;
 import dev.carom.bench.Screen;
 import dev.carom.bench.duel.Preset;
 import dev.carom.bench.duel.Rival;
 import dev.carom.bench.duel.ScoreLine;
 import dev.carom.bench.experiment.Crosses;
-import java.awt.Dimension;
 import java.awt.EventQueue;
 import java.awt.Point;
 import java.awt.Rectangle;
 import java.awt.event.KeyEvent;
 import java.awt.geom.Point2D;
-import java.nio.file.Files;
-import java.nio.file.Path;
 import javax.swing.JCheckBox;
 import javax.swing.JMenu;
 import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
-import org.junit.jupiter.api.io.TempDir;
 
 /** Opens the window and uses it by keys and mouse. */
 class ViewWindowTest {
@@ -137,83 +132,6 @@ class ViewWindowTest {
       screen.type(KeyEvent.VK_ESCAPE);
     }
     screen.until(() -> assertThat(scenes.isPopupMenuVisible()).isFalse());
-  }
-
-  @Test
-  void tellsItsKeys() throws Exception {
-    screen.hold(KeyEvent.VK_SHIFT);
-    screen.type(KeyEvent.VK_SLASH); // the question mark of the display's keyboard
-    screen.let(KeyEvent.VK_SHIFT);
-    screen.untilDialog();
-    screen.keep("help");
-    screen.type(KeyEvent.VK_ENTER);
-    screen.untilNoDialog();
-  }
-
-  @Test
-  void showsWhereABadFileIsWrongAndAsksBeforeAFileIsReplaced(@TempDir Path folder)
-      throws Exception {
-    Path bad = folder.resolve("bad.csv");
-    Files.writeString(bad, "circle,100,100,10,1,1\nline,1,2,x,4\n");
-    SceneFiles files = get(() -> new SceneFiles(panel(), new SwingDialogs(screen.frame())));
-    EventQueue.invokeLater(() -> files.open(bad));
-    screen.untilDialog();
-    screen.keep("bad-file");
-    screen.type(KeyEvent.VK_ENTER);
-    screen.untilNoDialog();
-    assertThat(get(() -> player.scene().circleCount())).as("the old scene").isEqualTo(100);
-    EventQueue.invokeLater(() -> files.save(bad));
-    screen.untilDialog();
-    screen.keep("replace");
-    screen.type(KeyEvent.VK_ENTER);
-    screen.untilNoDialog();
-    assertThat(bad).content().startsWith("circle,100,100,10,1,1");
-    EventQueue.invokeLater(() -> files.save(bad));
-    screen.untilDialog();
-    screen.type(KeyEvent.VK_TAB);
-    screen.type(KeyEvent.VK_SPACE);
-    screen.until(() -> assertThat(screen.frame().getTitle()).isEqualTo("bad.csv - Carom"));
-    assertThat(Scene.read(bad).circleCount()).isEqualTo(100);
-  }
-
-  /** On a busy machine the mouse may rest too long before it lets go: then it tries again. */
-  @Test
-  void throwsACircle() throws Exception {
-    Vec2 before = get(() -> player.scene().velocity(99));
-    Vec2 after = before;
-    for (int attempt = 0; attempt < 40 && after.equals(before); attempt++) {
-      EventQueue.invokeAndWait(player::restart);
-      Point circle = lastCircle();
-      screen.press(circle);
-      for (int i = 1; i <= 10; i++) {
-        screen.move(new Point(circle.x + 6 * i, circle.y));
-      }
-      screen.release();
-      screen.settle();
-      after = get(() -> player.scene().velocity(99));
-    }
-    assertThat(after.x()).isPositive().isLessThan(50);
-    assertThat(Math.abs(after.y())).isLessThan(0.01);
-  }
-
-  @Test
-  void zoomsThrowsAndAdds() throws Exception {
-    Point corner = corner();
-    Dimension size = get(() -> panel().canvas().getSize());
-    Point middle = new Point(corner.x + size.width / 2, corner.y + size.height / 2);
-    screen.move(middle);
-    screen.turnWheel(-6);
-    screen.type(KeyEvent.VK_2);
-    screen.press(middle);
-    screen.move(new Point(middle.x + 60, middle.y - 40));
-    screen.move(new Point(middle.x + 160, middle.y - 90));
-    screen.keep("draft");
-    screen.release();
-    screen.until(() -> assertThat(player.scene().circleCount()).isEqualTo(101));
-    screen.type(KeyEvent.VK_1);
-    screen.move(middle);
-    screen.until(() -> assertThat(panel().canvas().hovered()).isNotEmpty());
-    screen.keep("hover");
   }
 
   @Test
