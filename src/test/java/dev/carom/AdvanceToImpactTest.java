@@ -3,7 +3,6 @@ package dev.carom;
 
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.assertThatThrownBy;
-import static org.assertj.core.api.Assertions.within;
 
 import java.util.ArrayList;
 import java.util.List;
@@ -106,21 +105,6 @@ class AdvanceToImpactTest {
     assertThat(later).isBetween(100, 400);
   }
 
-  /** A kick at the impact takes effect after it: the wall has turned the circle already. */
-  @ParameterizedTest
-  @ValueSource(booleans = {false, true})
-  void editsTakeEffectAfterTheImpact(boolean collide) {
-    SceneBuilder scene = Scene.builder().collide(collide).bounds(0, 0, 100, 100);
-    World world = new World(scene.circle(50, 50, 10, 7, 0).build());
-    world.advanceToImpact(100);
-    assertThat(world.vx(0)).isEqualTo(-7);
-    world.setVelocity(0, world.vx(0), 3);
-    assertThat(world.advanceToImpact(100)).isEqualTo(StopReason.IMPACT);
-    assertThat(world.impacts().id(0)).isZero();
-    assertThat(world.impacts().time(0)).isCloseTo(120 / 7.0, within(1e-14));
-    assertThat(world.impacts().kind(0)).isEqualTo(ObstacleKind.WALL);
-  }
-
   /** 40 / 3 is above its nearest double by a tail, and a sensor is no flight's end. */
   @ParameterizedTest
   @ValueSource(booleans = {false, true})
@@ -134,27 +118,6 @@ class AdvanceToImpactTest {
     assertThat(world.advanceToImpact(100)).isEqualTo(StopReason.TIME);
     assertThat(world.now()).isEqualTo(100);
     assertThat(world.advanceToImpact(100)).isEqualTo(StopReason.TIME);
-  }
-
-  @ParameterizedTest
-  @ValueSource(booleans = {false, true})
-  void withoutCirclesTheTimeIsReached(boolean collide) {
-    World world = new World(Scene.builder().collide(collide).line(0, 0, 1, 1).build());
-    assertThat(world.advanceToImpact(7)).isEqualTo(StopReason.TIME);
-    assertThat(world.now()).isEqualTo(7);
-  }
-
-  /** Impacts at one time are in one log. */
-  @Test
-  void whatIsSimultaneousIsTakenTogether() {
-    SceneBuilder scene = Scene.builder().bounds(0, 0, 100, 100);
-    for (int k = 0; k < 3; k++) {
-      scene.circle(50, 20 + 30 * k, 10, 8, 0);
-    }
-    World world = new World(scene.build());
-    world.advanceToImpact(100);
-    assertThat(world.impacts().size()).isEqualTo(3);
-    assertThat(world.now()).isEqualTo(5);
   }
 
   /** Blocks of circles are looked through for the first one that is due. */

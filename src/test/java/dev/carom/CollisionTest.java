@@ -38,20 +38,6 @@ class CollisionTest {
     assertThat(run.impacts()).isEmpty();
   }
 
-  @Test
-  void anObliqueCollision() {
-    Run run = run(colliding().circle(0, 0, 2.5, 1, 0).circle(13, 4, 2.5, 0, 0));
-    Run.Row row = run.impacts().get(0);
-    assertThat(row.time()).isEqualTo(10);
-    assertThat(row.nx()).isCloseTo(-0.6, within(1e-16));
-    assertThat(row.ny()).isCloseTo(-0.8, within(1e-16));
-    assertThat(row.speed()).isCloseTo(0.6, within(1e-16));
-    assertThat(run.end().get(0).vx()).isCloseTo(0.64, within(1e-15));
-    assertThat(run.end().get(0).vy()).isCloseTo(-0.48, within(1e-15));
-    assertThat(run.end().get(1).vx()).isCloseTo(0.36, within(1e-15));
-    assertThat(run.end().get(1).vy()).isCloseTo(0.48, within(1e-15));
-  }
-
   @ParameterizedTest
   @ValueSource(doubles = {2, 1.5, 1e-3})
   void touchingOrOverlappingAndApproachingIsAnImpactAtTheStart(double distance) {
@@ -75,58 +61,6 @@ class CollisionTest {
         .isEmpty();
   }
 
-  @Test
-  void concentricCirclesCannotComeNearer() {
-    Run run = run(colliding().circle(5, 5, 1, 1, 2).circle(5, 5, 7, -1, 0));
-    assertThat(run.impacts()).isEmpty();
-  }
-
-  @Test
-  void aGrazeIsNone() {
-    assertThat(run(colliding().circle(0, 0, 1, 1, 0).circle(10, 2, 1, 0, 0)).impacts()).isEmpty();
-    assertThat(
-            run(colliding().circle(0, 0, 1, 1, 0).circle(10, Math.nextDown(2), 1, 0, 0)).impacts())
-        .hasSize(1);
-  }
-
-  @Test
-  void veryDifferentSizes() {
-    Run run =
-        run(colliding().circle(0, 0, 1000, 0, 0).mass(1e6).circle(1020, 0, 1, -1, 0).mass(1e-6));
-    assertThat(run.impacts()).hasSize(1);
-    assertThat(run.impacts().get(0).time()).isEqualTo(19);
-    assertThat(run.end().get(1).vx()).isCloseTo(1, within(1e-11));
-  }
-
-  @Test
-  void anInfiniteMassGoesItsWay() {
-    Run run =
-        run(
-            colliding()
-                .circle(0, 0, 1, 1, 0)
-                .mass(Double.POSITIVE_INFINITY)
-                .circle(12, 0, 1, 0, 0)
-                .circle(20, 0, 1, -1, 0)
-                .mass(1e-6));
-    assertThat(run.end().get(0)).isEqualTo(new Run.State(100, 0, 1, 0));
-    assertThat(run.end().get(1).x()).isGreaterThan(102);
-  }
-
-  @Test
-  void twoInfiniteMassesPassThroughEachOtherOnce() {
-    Run run =
-        run(
-            colliding()
-                .circle(0, 0, 1, 1, 0)
-                .mass(Double.POSITIVE_INFINITY)
-                .circle(10, 0, 1, -1, 0)
-                .mass(Double.POSITIVE_INFINITY));
-    assertThat(run.impacts()).hasSize(1);
-    assertThat(run.impacts().get(0).time()).isEqualTo(4);
-    assertThat(run.end())
-        .containsExactly(new Run.State(100, 0, 1, 0), new Run.State(-90, 0, -1, 0));
-  }
-
   /** Collisions at one time go by number, the lower first; one circle is hit from both sides. */
   @Test
   void simultaneousCollisionsAreTakenByNumber() {
@@ -135,24 +69,6 @@ class CollisionTest {
     assertThat(run.impacts().get(0).obstacle()).isEqualTo(1);
     assertThat(run.impacts().get(1).obstacle()).isEqualTo(2);
     assertThat(run.end().stream().map(Run.State::vx)).containsExactly(0.0, -1.0, 1.0);
-  }
-
-  @Test
-  void anInelasticPairGoesOnTogether() {
-    Run run = run(colliding().circle(0, 0, 1, 1, 0).restitution(0).circle(10, 0, 1, 0, 0).mass(3));
-    assertThat(run.impacts()).hasSize(1);
-    assertThat(run.end().get(0).vx()).isEqualTo(0.25);
-    assertThat(run.end().get(1).vx()).isEqualTo(0.25);
-  }
-
-  @Test
-  void slowCirclesCollideLikeFastOnes() {
-    for (double speed : new double[] {1e-9, 1e-3, 1e3, 1e9}) {
-      SceneBuilder builder = colliding().circle(0, 0, 1, speed, 0).circle(12, 0, 1, 0, 0);
-      Run run = Run.advance(new World(builder.build()), 11 / speed);
-      assertThat(run.impacts()).hasSize(1);
-      assertThat(run.end().get(1).vx()).isEqualTo(speed);
-    }
   }
 
   /**
@@ -173,21 +89,6 @@ class CollisionTest {
       assertThat(world.x(i)).isBetween(1 - 1e-9, 3 + 1e-9);
       assertThat(world.y(i)).isBetween(1 - 1e-9, 99 + 1e-9);
     }
-  }
-
-  /** Among pairs that collide at one time, the one with the smallest ids is first. */
-  @Test
-  void simultaneousMeetingsStandInTheOrderOfIds() {
-    SceneBuilder scene = Scene.builder().collide(true);
-    for (int i = 0; i < 5; i++) {
-      scene.circle(0, 10 * i, 1, 1, 0).circle(6, 10 * i, 1, -1, 0);
-    }
-    World world = new World(scene.build());
-    Run.step(world, 3);
-    assertThat(Run.rows(world.impacts())).extracting(Run.Row::time).containsOnly(2.0);
-    assertThat(Run.rows(world.impacts()))
-        .extracting(Run.Row::circle)
-        .containsExactly(0, 2, 4, 6, 8);
   }
 
   /** Whichever of the two stands where. */

@@ -15,7 +15,7 @@ import org.junit.jupiter.params.provider.ValueSource;
  */
 class EditsTest {
 
-  private static final int EDITS = Integer.getInteger("carom.edits", 2_000);
+  private static final int EDITS = Integer.getInteger("carom.edits", 1_000);
   private static final int SEED = Integer.getInteger("carom.seed", 1);
 
   @Tag("long")

@@ -4,7 +4,6 @@ package dev.carom;
 import static org.assertj.core.api.Assertions.assertThat;
 
 import dev.carom.NearlyAtOnce.Truth;
-import dev.carom.internal.state.Codes;
 import dev.carom.internal.state.EngineOptions;
 import java.util.ArrayList;
 import java.util.Collections;
@@ -13,8 +12,6 @@ import java.util.Optional;
 import java.util.Random;
 import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
-import org.junit.jupiter.params.ParameterizedTest;
-import org.junit.jupiter.params.provider.ValueSource;
 
 /**
  * The first impact of a cast among several whose times round to the same double: the one that is
@@ -23,17 +20,6 @@ import org.junit.jupiter.params.provider.ValueSource;
 class FirstImpactTest {
 
   private static final double NEVER = Double.POSITIVE_INFINITY;
-  private static final Circle POINT = new Circle(0, 0, 0);
-  private static final Vec2 V = new Vec2(3, 1);
-
-  /** The double nearest to 1/3 is less than that. */
-  private static final double THIRD = 1 / 3.0;
-
-  /** Hit by the point at 1/3, rounded to {@link #THIRD}. */
-  private static final Line LATER = new Line(1, -9, 1, 9);
-
-  /** Hit at {@link #THIRD} itself. */
-  private static final Line EARLIER = new Line(-9, THIRD, 9, THIRD);
 
   private static final List<EngineOptions> MACHINERY =
       List.of(
@@ -44,139 +30,6 @@ class FirstImpactTest {
           EngineOptions.cells(40));
 
   // Two of one rounded time.
-
-  @Test
-  void aResolverTellsTheEarlierLineInEitherOrder() {
-    for (List<Line> both : List.of(List.of(LATER, EARLIER), List.of(EARLIER, LATER))) {
-      Impact first = Resolver.of(both).cast(POINT, V, NEVER).orElseThrow();
-      assertThat(first.obstacle()).isEqualTo(EARLIER);
-      assertThat(first.id()).isEqualTo(both.indexOf(EARLIER));
-      assertThat(first).isEqualTo(alone(EARLIER, both.indexOf(EARLIER)));
-    }
-  }
-
-  private static Impact alone(Line line, int id) {
-    Impact impact = SweptCircle.cast(POINT, V, line, NEVER).orElseThrow();
-    return WorldQueriesTest.named(impact, ObstacleKind.LINE, id);
-  }
-
-  @ParameterizedTest
-  @ValueSource(ints = {0, 20})
-  void aWorldTellsTheEarlierLineInEitherOrder(int more) {
-    for (List<Line> both : List.of(List.of(LATER, EARLIER), List.of(EARLIER, LATER))) {
-      SceneBuilder scene = Scene.builder().circle(-50, -50, 1, 0, 0);
-      both.forEach(line -> scene.line(line.ax(), line.ay(), line.bx(), line.by()));
-      for (int i = 0; i < more; i++) {
-        scene.line(20 + i, 20, 20 + i, 30);
-      }
-      for (EngineOptions options : MACHINERY) {
-        World world = new World(scene.build(), options);
-        Impact first = world.cast(POINT, V, NEVER).orElseThrow();
-        assertThat(first).isEqualTo(alone(EARLIER, both.indexOf(EARLIER)));
-        assertThat(world.cast(POINT, V, THIRD)).contains(first);
-        assertThat(world.cast(POINT, V, Math.nextDown(THIRD))).isEmpty();
-      }
-    }
-  }
-
-  @Test
-  void boundsTellTheEarlierWall() {
-    Impact top = SweptCircle.cast(POINT, V, new Bounds(-9, -9, 1, THIRD), NEVER).orElseThrow();
-    assertThat(top.id()).isEqualTo(Codes.TOP);
-    assertThat(top.point().y()).isEqualTo(THIRD);
-    Vec2 exchanged = new Vec2(1, 3);
-    Bounds other = new Bounds(-9, -9, THIRD, 1);
-    assertThat(SweptCircle.cast(POINT, exchanged, other, NEVER).orElseThrow().id())
-        .isEqualTo(Codes.RIGHT);
-  }
-
-  @Test
-  void twoWallsThatAreHitAtOnceAreTheVerticalOne() {
-    Impact impact =
-        SweptCircle.cast(POINT, new Vec2(3, 3), new Bounds(-9, -9, 1, 1), NEVER).orElseThrow();
-    assertThat(impact.id()).isEqualTo(Codes.RIGHT);
-  }
-
-  /** The exact time decides before the order of the kinds. */
-  @Test
-  void anEarlierLineIsBeforeAWallAndAnEarlierPegBeforeALine() {
-    Bounds room = new Bounds(-9, -9, 1, 9);
-    assertThat(Resolver.of(List.of(room, EARLIER)).cast(POINT, V, NEVER).orElseThrow().kind())
-        .isEqualTo(ObstacleKind.LINE);
-    Circle peg = new Circle(Math.nextDown(1.0), 0, 0);
-    Vec2 v = new Vec2(3, 0);
-    assertThat(SweptCircle.cast(POINT, v, peg, NEVER).orElseThrow().time()).isEqualTo(THIRD);
-    assertThat(Resolver.of(List.of(LATER, peg)).cast(POINT, v, NEVER).orElseThrow().kind())
-        .isEqualTo(ObstacleKind.PEG);
-  }
-
-  /** Two circles: a gap of 1 at a speed of 3, and one of {@link #THIRD} at a speed of 1. */
-  @ParameterizedTest
-  @ValueSource(booleans = {false, true})
-  void aWorldTellsTheEarlierOfTwoCircles(boolean laterFirst) {
-    Vec2 v = new Vec2(3, 0);
-    SceneBuilder scene = Scene.builder().collide(true);
-    for (boolean later : new boolean[] {laterFirst, !laterFirst}) {
-      if (later) {
-        scene.circle(2, 0, 1, 0, 0);
-      } else {
-        scene.circle(2 * THIRD, 0, THIRD, 2, 0);
-      }
-    }
-    Impact first = new World(scene.build()).cast(POINT, v, NEVER).orElseThrow();
-    assertThat(first.time()).isEqualTo(THIRD);
-    assertThat(first.id()).isEqualTo(laterFirst ? 1 : 0);
-    Impact withLine =
-        new World(scene.line(1, -1, 1, 1).build()).cast(POINT, v, NEVER).orElseThrow();
-    assertThat(withLine).isEqualTo(first);
-  }
-
-  @Test
-  void ofExactlyEqualTimesALineIsBeforeACircle() {
-    World world =
-        new World(Scene.builder().collide(true).circle(2, 0, 1, 0, 0).line(1, -1, 1, 1).build());
-    Impact first = world.cast(POINT, new Vec2(3, 0), NEVER).orElseThrow();
-    assertThat(first.kind()).isEqualTo(ObstacleKind.LINE);
-  }
-
-  /** Earlier than T by less than rounding, or later: both round to T. */
-  @Test
-  void theEndOfTheWindowIsExact() {
-    Resolver later = Resolver.of(List.of(LATER));
-    assertThat(later.cast(POINT, V, THIRD)).isEmpty();
-    assertThat(later.cast(POINT, V, Math.nextUp(THIRD)).orElseThrow().time()).isEqualTo(THIRD);
-    assertThat(Resolver.of(List.of(EARLIER)).cast(POINT, V, THIRD)).isPresent();
-    World world =
-        new World(Scene.builder().collide(true).line(1, -9, 1, 9).circle(2, 0, 1, 0, 0).build());
-    assertThat(world.cast(POINT, V, THIRD)).isEmpty();
-    assertThat(world.cast(POINT, V, Math.nextUp(THIRD)).orElseThrow().id()).isZero();
-  }
-
-  /** Touched at the start, and reached so soon after it that the time rounds to 0. */
-  @Test
-  void nowIsBeforeWhatRoundsToNow() {
-    Vec2 v = new Vec2(0x1p600, 0x1p600);
-    Line soon = new Line(0x1p-500, -1, 0x1p-500, 1);
-    Circle now = new Circle(0, 1, 1);
-    assertThat(SweptCircle.cast(POINT, v, soon, NEVER).orElseThrow().time()).isZero();
-    Resolver resolver = Resolver.of(List.of(soon, now));
-    assertThat(resolver.cast(POINT, v, NEVER).orElseThrow().obstacle()).isEqualTo(now);
-    assertThat(resolver.cast(POINT, v, 0).orElseThrow().obstacle()).isEqualTo(now);
-    assertThat(Resolver.of(List.of(soon)).cast(POINT, v, 0)).isEmpty();
-  }
-
-  @Test
-  void whatIsPassedOverIsNotFirst() {
-    SceneBuilder scene = Scene.builder();
-    scene.line(EARLIER.bx(), THIRD, EARLIER.ax(), THIRD).response(Response.SENSOR);
-    scene.line(EARLIER.bx(), THIRD, EARLIER.ax(), THIRD);
-    scene.line(EARLIER.ax(), THIRD, EARLIER.bx(), THIRD).oneWay().line(1, -9, 1, 9);
-    World world = new World(scene.line(1, -8, 1, 8).build());
-    world.remove(ObstacleKind.LINE, 1);
-    assertThat(world.cast(POINT, V, NEVER).orElseThrow().id()).isEqualTo(3);
-    world.setOneWay(2, false);
-    assertThat(world.cast(POINT, V, NEVER).orElseThrow().id()).isEqualTo(2);
-  }
 
   // Random casts, of which most meet many things at one rounded time.
 

@@ -118,7 +118,7 @@ class LockstepTest {
             w -> w.remove(PEG, 0),
             w -> w.setVelocity(0, 7, 1));
     for (Consumer<World> edit : edits) {
-      World world = new World(scene);
+      World world = new World(scene, EngineOptions.budget(1.0 / 200));
       assertThat(world.advanceTo(1e9)).isFalse();
       assertSame(world, edit);
     }

@@ -216,95 +216,7 @@ class MasksTest {
     assertThat(past.radius(0, 28)).isEqualTo(10);
   }
 
-  /** Its flights began inside: nothing takes it back to the wall that it flew through. */
-  @Test
-  void beyondTheWallsACircleMeetsOthersWhereItIs() {
-    SceneBuilder scene = box().collide(true).circle(50, 50, 10, 8, 0).filter(A, -1);
-    World world = new World(scene.circle(180, 50, 10, -8, 0).filter(A, -1).build());
-    assertThat(world.step(7)).isTrue();
-    assertThat(world.impacts().time(0)).isEqualTo(6.875);
-    assertThat(world.x(0)).isEqualTo(104);
-    assertThat(world.x(1)).isEqualTo(126);
-  }
-
-  @ParameterizedTest
-  @ValueSource(booleans = {false, true})
-  void beyondTheWallsACircleIsEditedWhereItIs(boolean collide) {
-    SceneBuilder scene = box().collide(collide).circle(50, 50, 10, 8, 0).filter(A, -1);
-    World world = new World(scene.build());
-    assertThat(world.step(7)).isTrue();
-    world.addLine(300, 0, 300, 100); // in the way of its flight, which begins anew
-    assertThat(world.x(0)).isEqualTo(106);
-    World other = new World(scene.build());
-    assertThat(other.step(7)).isTrue();
-    other.setVelocity(0, 0, 1);
-    assertThat(other.x(0)).isEqualTo(106);
-  }
-
-  /** A circle that left comes back, for all walls are half-planes. */
-  @ParameterizedTest
-  @ValueSource(booleans = {false, true})
-  void anEditOfTheWallsConcernsAllCircles(boolean collide) {
-    SceneBuilder scene = box().collide(collide).circle(50, 50, 10, 8, 0).filter(A, -1);
-    World world = new World(scene.circle(50, 20, 10, 8, 0).build());
-    world.setFilter(ObstacleKind.WALL, 2, 1, A);
-    assertThat(world.mask(ObstacleKind.WALL, 0)).isEqualTo(A);
-    assertThat(world.step(6)).isTrue();
-    assertThat(world.impacts().size()).isEqualTo(1);
-    assertThat(world.impacts().circle(0)).isZero();
-    assertThat(world.x(1)).isEqualTo(98);
-    world.setFilter(ObstacleKind.WALL, 0, 1, -1);
-    assertThat(world.step(1)).isTrue();
-    assertThat(world.impacts().time(0)).isEqualTo(6);
-    assertThat(world.x(1)).isEqualTo(90);
-  }
-
   // Edits.
-
-  @ParameterizedTest
-  @CsvSource({"2, -2, true", "-2, 2, false"})
-  void circlesThatOverlapAndNowMeetBounceIfTheyApproach(double v1, double v2, boolean bounce) {
-    SceneBuilder scene = Scene.builder().collide(true).circle(0, 0, 10, v1, 0).filter(A, A);
-    World world = new World(scene.circle(5, 0, 10, v2, 0).build());
-    world.setFilter(ObstacleKind.CIRCLE, 0, A, -1);
-    assertThat(world.step(0.5)).isTrue();
-    assertThat(world.impacts().size()).isEqualTo(bounce ? 1 : 0);
-    assertThat(world.vx(0)).isEqualTo(-2);
-  }
-
-  @Test
-  void aLineThatIsNoLongerMetIsFlownThrough() {
-    World world = new World(Scene.builder().line(50, 0, 50, 100).circle(20, 50, 10, 4, 0).build());
-    assertThat(world.step(4)).isTrue();
-    world.setFilter(ObstacleKind.LINE, 0, B, B);
-    assertThat(world.step(2)).isTrue();
-    assertThat(world.impacts().size()).isZero();
-    assertThat(world.x(0)).isEqualTo(44);
-    world.setFilter(ObstacleKind.LINE, 0, 1, -1);
-    assertThat(world.step(1)).isTrue();
-    assertThat(world.impacts().time(0)).isEqualTo(6);
-    assertThat(world.vx(0)).isEqualTo(-4);
-  }
-
-  /** Things that are added have the default, and ids that are gone leave nothing behind. */
-  @Test
-  void whatIsAddedHasTheDefault() {
-    World world =
-        new World(
-            Scene.builder().peg(0, 0, 1).filter(A, B).circle(9, 9, 1, 0, 0).filter(B, A).build());
-    world.remove(ObstacleKind.CIRCLE, 0);
-    assertThat(world.addPeg(5, 5, 1)).isEqualTo(1);
-    assertThat(world.addCircle(1, 1, 1, 0, 0)).isEqualTo(1);
-    assertThat(world.category(ObstacleKind.PEG, 0)).isEqualTo(A);
-    assertThat(world.mask(ObstacleKind.PEG, 0)).isEqualTo(B);
-    assertThat(world.category(ObstacleKind.PEG, 1)).isEqualTo(1);
-    assertThat(world.mask(ObstacleKind.PEG, 1)).isEqualTo(-1);
-    assertThat(world.category(ObstacleKind.CIRCLE, 1)).isEqualTo(1);
-    assertThat(world.mask(ObstacleKind.CIRCLE, 1)).isEqualTo(-1);
-    assertThatThrownBy(() -> world.setFilter(ObstacleKind.CIRCLE, 0, 1, 1))
-        .isInstanceOf(IndexOutOfBoundsException.class)
-        .hasMessage("circle 0 does not exist: it was removed");
-  }
 
   /** An edit that changes nothing does not even begin a flight. */
   @Test
@@ -320,21 +232,6 @@ class MasksTest {
     assertThat(world.snapshot()).isEqualTo(before);
     world.setFilter(ObstacleKind.WALL, 0, 1, 1);
     assertThat(world.snapshot()).isNotEqualTo(before);
-  }
-
-  /** Back at the default, a world is equal to one that never had a filter. */
-  @Test
-  void aWorldWithoutFiltersIsEqualToOneThatLostThem() {
-    World never = new World(Scene.builder().peg(0, 0, 1).circle(9, 9, 1, 0, 0).build());
-    World lost =
-        new World(
-            Scene.builder().peg(0, 0, 1).filter(A, 1).circle(9, 9, 1, 0, 0).filter(1, A).build());
-    assertThat(lost.snapshot()).isNotEqualTo(never.snapshot());
-    lost.setFilter(ObstacleKind.PEG, 0, 1, -1);
-    lost.setFilter(ObstacleKind.CIRCLE, 0, 1, -1);
-    never.setVelocity(0, 0, 0); // a new flight, as the edit of the filter began one
-    assertThat(lost.snapshot()).isEqualTo(never.snapshot());
-    assertThat(SnapshotBytes.of(lost.snapshot())).isEqualTo(SnapshotBytes.of(never.snapshot()));
   }
 
   // Questions.

@@ -43,24 +43,6 @@ class MovingObstaclesTest {
   }
 
   @Test
-  void aPegPushesACircleThatRests() {
-    World world = world(Scene.builder().peg(-10, 0, 2).velocity(4, 0).circle(5, 0, 1, 0, 0));
-    finish(world, 4);
-    assertThat(world.impacts().time(0)).isEqualTo(3);
-    assertThat(world.vx(0)).isEqualTo(8);
-    assertThat(world.peg(0)).isEqualTo(new Circle(6, 0, 2));
-  }
-
-  @Test
-  void anEndPushesACircle() {
-    World world = world(Scene.builder().line(-10, 0, -5, 0).velocity(2, 0).circle(4, 0, 1, 0, 0));
-    finish(world, 5);
-    assertThat(world.impacts().feature(0)).isEqualTo(Feature.END);
-    assertThat(world.impacts().time(0)).isEqualTo(4);
-    assertThat(world.vx(0)).isEqualTo(4);
-  }
-
-  @Test
   void aCircleWithoutBounceGoesAlong() {
     World world =
         world(
@@ -108,19 +90,6 @@ class MovingObstaclesTest {
     world.snapshot().write(out);
     assertThat(Snapshot.read(new ByteArrayInputStream(out.toByteArray())))
         .isEqualTo(world.snapshot());
-  }
-
-  @Test
-  void anObstacleThatStopsIsStatic() {
-    World world = world(Scene.builder().line(0, -10, 0, 10).circle(10, 0, 1, -1, 0));
-    world.setVelocity(ObstacleKind.LINE, 0, 1, 0);
-    finish(world, 2);
-    world.setVelocity(ObstacleKind.LINE, 0, 0, 0);
-    assertThat(world.line(0)).isEqualTo(new Line(2, -10, 2, 10));
-    assertThat(world.velocity(ObstacleKind.LINE, 0)).isEqualTo(new Vec2(0, 0));
-    finish(world, 8);
-    assertThat(world.impacts().time(0)).isEqualTo(7);
-    assertThat(world.vx(0)).isEqualTo(1);
   }
 
   @Test
@@ -339,36 +308,6 @@ class MovingObstaclesTest {
     return first;
   }
 
-  /**
-   * A gas in a cylinder whose lid moves slowly: E is as 1 / V, in two dimensions. V is the area of
-   * the centres, 99 x 99 and then 79 x 99, less half of the pi (2 r)^2 that each circle keeps other
-   * centres out of. About 1,400 impacts with the lid give a quarter of the energy, so that chance
-   * moves the ratio by some 0.26 / sqrt(1,400). The tolerance is four times that.
-   */
-  @Test
-  void aSlowLidWarmsAGasAdiabatically() {
-    SceneBuilder scene =
-        Scene.builder()
-            .collide(true)
-            .bounds(0, 0, 100, 100)
-            .line(100, -10, 100, 110)
-            .velocity(-0.01, 0);
-    Random random = new Random(3);
-    for (int i = 0; i < 100; i++) {
-      double angle = random.nextDouble() * 2 * Math.PI;
-      scene.circle(
-          4 + 9 * (i % 10), 4 + 9 * (i / 10), 0.5, 2 * Math.cos(angle), 2 * Math.sin(angle));
-    }
-    World world = world(scene);
-    double before = Energy.of(world);
-    for (int frame = 1; frame <= 2000; frame++) {
-      finish(world, frame);
-    }
-    double kept = 100 * Math.PI * (2 * 0.5) * (2 * 0.5) / 2;
-    double ratio = (99 * 99 - kept) / (79 * 99 - kept);
-    assertThat(Energy.of(world) / before).isCloseTo(ratio, within(0.03));
-  }
-
   @Test
   void questionsSeeItWhereItIsNow() {
     World world =
@@ -389,20 +328,6 @@ class MovingObstaclesTest {
   }
 
   @Test
-  void theTimelineShowsItAtEachMoment() {
-    World world = world(Scene.builder().line(0, -10, 0, 10).velocity(3, 0).circle(99, 0, 1, 0, 0));
-    Timeline past = world.record(100);
-    finish(world, 4);
-    world.setVelocity(ObstacleKind.LINE, 0, 0, -1);
-    finish(world, 6);
-    world.setOneWay(0, true);
-    finish(world, 8);
-    assertThat(past.line(0, 2).orElseThrow()).isEqualTo(new Line(6, -10, 6, 10));
-    assertThat(past.line(0, 5).orElseThrow()).isEqualTo(new Line(12, -11, 12, 9));
-    assertThat(past.line(0, 8).orElseThrow()).isEqualTo(world.line(0));
-  }
-
-  @Test
   void aSceneFileHasTheVelocity() throws Exception {
     SceneBuilder setup = Scene.builder().line(0, 0, 1, 1).velocity(0.1, -0.2).oneWay();
     Scene scene = setup.peg(5, 5, 1).velocity(0, 3).peg(8, 8, 1).build();
@@ -415,108 +340,5 @@ class MovingObstaclesTest {
     assertThatThrownBy(
             () -> Scene.read(new java.io.StringReader("circle,0,0,1,0,0,vx=1\n"), "bad.csv"))
         .hasMessageContaining("key \"vx\" is unknown");
-  }
-
-  /** A crowd of moving and resting things, of both engines. */
-  private static Scene crowd(boolean collide, long seed) {
-    Random random = new Random(seed);
-    SceneBuilder scene = Scene.builder().collide(collide).bounds(0, 0, 400, 300);
-    for (int i = 0; i < 40; i++) {
-      double x = 400 * random.nextDouble();
-      double y = 300 * random.nextDouble();
-      scene.line(x, y, x + 10 * random.nextGaussian(), y + 10 * random.nextGaussian());
-      if (i % 2 == 0) {
-        scene.velocity(random.nextGaussian(), random.nextGaussian());
-      }
-      scene.peg(400 * random.nextDouble(), 300 * random.nextDouble(), 3);
-      if (i % 3 == 0) {
-        scene.velocity(random.nextGaussian(), random.nextGaussian());
-      }
-      scene.circle(
-          400 * random.nextDouble(),
-          300 * random.nextDouble(),
-          1 + random.nextDouble(),
-          2 * random.nextGaussian(),
-          2 * random.nextGaussian());
-    }
-    return scene.build();
-  }
-
-  @ParameterizedTest
-  @ValueSource(booleans = {false, true})
-  void framesDoNotMatter(boolean collide) {
-    World whole = new World(crowd(collide, 5));
-    World frames = new World(crowd(collide, 5));
-    World impacts = new World(crowd(collide, 5));
-    List<Run.Row> rows = new ArrayList<>();
-    List<Run.Row> one = new ArrayList<>();
-    finish(whole, 60);
-    for (int frame = 1; frame <= 600; frame++) {
-      finish(frames, frame / 10.0);
-      rows.addAll(Run.rows(frames.impacts()));
-    }
-    while (impacts.advanceToImpact(60) != StopReason.TIME) {
-      one.addAll(Run.rows(impacts.impacts()));
-    }
-    one.addAll(Run.rows(impacts.impacts()));
-    assertThat(rows).hasSizeGreaterThan(60).isEqualTo(Run.rows(whole.impacts()));
-    assertThat(one).isEqualTo(rows);
-    assertThat(frames.snapshot()).isEqualTo(whole.snapshot());
-    assertThat(impacts.snapshot()).isEqualTo(whole.snapshot());
-  }
-
-  @Test
-  void aSensorThatMovesIsMetOnce() {
-    World world =
-        world(
-            Scene.builder()
-                .line(0, -10, 0, 10)
-                .response(Response.SENSOR)
-                .velocity(3, 0)
-                .circle(10, 0, 1, -2, 0));
-    finish(world, 10);
-    assertThat(world.impacts().size()).isEqualTo(1);
-    assertThat(world.impacts().time(0)).isEqualTo(9 / 5.0);
-    assertThat(world.impacts().outcome(0)).isEqualTo(Outcome.SENSED);
-    assertThat(world.vx(0)).isEqualTo(-2);
-  }
-
-  /** A platform that rises is solid for a ball that falls more slowly, from below it is not. */
-  @Test
-  void aOneWayLineJudgesByTheRelativeVelocity() {
-    Line up = new Line(-10, 0, 10, 0); // its left is above
-    SceneBuilder scene =
-        Scene.builder()
-            .line(up.ax(), up.ay(), up.bx(), up.by())
-            .oneWay()
-            .velocity(0, 3)
-            .circle(-5, 10, 1, 0, 1)
-            .circle(5, -10, 1, 0, 5);
-    World world = world(scene);
-    finish(world, 20);
-    assertThat(world.impacts().size()).isEqualTo(1);
-    assertThat(world.impacts().circle(0)).isZero();
-    assertThat(world.impacts().time(0)).isEqualTo(4.5);
-    assertThat(world.vy(0)).isEqualTo(5);
-    assertThat(world.vy(1)).isEqualTo(5);
-  }
-
-  /** More than one word of the index, and all of it hit. */
-  @Test
-  void eachOfManyPushesItsCircle() {
-    for (boolean collide : new boolean[] {false, true}) {
-      SceneBuilder scene = Scene.builder().collide(collide);
-      for (int i = 0; i < 300; i++) {
-        scene.line(0, 10 * i, 0, 10 * i + 4).velocity(1 + i / 512.0, 0);
-        scene.circle(20, 10 * i + 2, 1, 0, 0);
-      }
-      World world = world(scene);
-      for (int frame = 1; frame <= 30; frame++) {
-        finish(world, frame);
-      }
-      for (int i = 0; i < 300; i++) {
-        assertThat(world.vx(i)).isEqualTo(2 + i / 256.0);
-      }
-    }
   }
 }

@@ -21,60 +21,6 @@ class PointParticlesTest {
     return Scene.builder().bounds(0, 0, 100, 100);
   }
 
-  @ParameterizedTest
-  @ValueSource(booleans = {false, true})
-  void aPointBouncesOffWallsAndPegs(boolean collide) {
-    Scene scene = room().collide(collide).peg(70, 50, 10).circle(20, 50, 0, 10, 0).build();
-    World world = new World(scene);
-    assertThat(world.step(8)).isTrue();
-    assertThat(world.impacts().size()).isEqualTo(1);
-    assertThat(world.impacts().kind(0)).isEqualTo(ObstacleKind.PEG);
-    assertThat(world.impacts().time(0)).isEqualTo(4);
-    assertThat(world.impacts().nx(0)).isEqualTo(-1);
-    assertThat(world.step(3)).isTrue();
-    assertThat(world.impacts().size()).isEqualTo(1);
-    assertThat(world.x(0)).isEqualTo(10);
-    assertThat(world.radius(0)).isZero();
-  }
-
-  /** The walls of a room are met at their coordinates, for long. */
-  @ParameterizedTest
-  @ValueSource(booleans = {false, true})
-  void noPointLeavesItsRoom(boolean collide) {
-    Random random = new Random(1);
-    SceneBuilder scene = room().collide(collide);
-    for (int i = 0; i < 60; i++) {
-      scene.peg(10 + 80 * random.nextDouble(), 10 + 80 * random.nextDouble(), i % 3);
-      scene.circle(
-          5 * random.nextDouble(),
-          100 * random.nextDouble(),
-          0,
-          9 * random.nextGaussian(),
-          9 * random.nextGaussian());
-    }
-    World world = new World(scene.build());
-    int impacts = 0;
-    for (int frame = 0; frame < 200; frame++) {
-      assertThat(world.step(1)).isTrue();
-      impacts += world.impacts().size();
-      for (int row = 0; row < world.impacts().size(); row++) {
-        assertThat(world.impacts().kind(row)).isNotEqualTo(ObstacleKind.CIRCLE);
-        assertThat(world.impacts().outcome(row)).isEqualTo(Outcome.BOUNCED);
-      }
-    }
-    assertThat(impacts).isGreaterThan(2000);
-    for (int i = 0; i < 60; i++) {
-      assertThat(world.x(i)).isBetween(-1e-12, 100 + 1e-12);
-      assertThat(world.y(i)).isBetween(-1e-12, 100 + 1e-12);
-      Circle centre = new Circle(world.x(i), world.y(i), 0);
-      for (int peg : world.overlapping(ObstacleKind.PEG, centre)) {
-        Circle in = world.peg(peg);
-        double depth = in.radius() - Math.hypot(in.x() - centre.x(), in.y() - centre.y());
-        assertThat(depth).isLessThan(1e-12);
-      }
-    }
-  }
-
   @Test
   void twoPointsNeverMeet() {
     SceneBuilder scene = room().collide(true).circle(20, 50, 0, 10, 0).circle(80, 50, 0, -10, 0);
@@ -85,18 +31,6 @@ class PointParticlesTest {
     assertThat(world.cast(new Circle(0, 50, 0), new Vec2(1, 0), 30)).isEmpty();
     assertThat(world.cast(new Circle(20, 50, 1), new Vec2(10, 0), 30).orElseThrow().kind())
         .isEqualTo(ObstacleKind.CIRCLE);
-  }
-
-  @Test
-  void aPointBouncesOffACircle() {
-    World world =
-        new World(
-            room().collide(true).circle(20, 50, 0, 10, 0).circle(60, 50, 5, 0, 0).mass(3).build());
-    assertThat(world.step(4)).isTrue();
-    assertThat(world.impacts().size()).isEqualTo(1);
-    assertThat(world.impacts().time(0)).isEqualTo(3.5);
-    assertThat(world.vx(0)).isEqualTo(-5);
-    assertThat(world.vx(1)).isEqualTo(5);
   }
 
   /** Points among circles: energy stays, and the steps change no bit. */

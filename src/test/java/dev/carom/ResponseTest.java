@@ -4,7 +4,6 @@ package dev.carom;
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.assertThatThrownBy;
 
-import java.io.StringReader;
 import java.util.List;
 import java.util.Random;
 import org.junit.jupiter.api.Test;
@@ -199,30 +198,6 @@ class ResponseTest {
   }
 
   // Scenes.
-
-  @Test
-  void responsesAreKeptInScenesAndFiles() throws Exception {
-    SceneBuilder builder = box().response(Response.HALT);
-    builder.line(1, 2, 3, 4).response(Response.SENSOR).oneWay();
-    builder.peg(5, 6, 7).restitution(0.5).response(Response.HALT);
-    Scene scene = builder.circle(50, 50, 5, 0, 0).response(Response.SENSOR).build();
-    StringBuilder text = new StringBuilder();
-    scene.write(text);
-    assertThat(text.toString().lines())
-        .containsExactly(
-            "wall,0.0,0.0,100.0,100.0,response=halt",
-            "line,1.0,2.0,3.0,4.0,response=sensor,oneway=1",
-            "peg,5.0,6.0,7.0,restitution=0.5,response=halt",
-            "circle,50.0,50.0,5.0,0.0,0.0,response=sensor");
-    Scene read = Scene.read(new StringReader(text.toString()), "text");
-    assertThat(read).isEqualTo(scene);
-    assertThat(read.response(ObstacleKind.WALL, 0)).isEqualTo(Response.HALT);
-    assertThat(read.response(ObstacleKind.LINE, 0)).isEqualTo(Response.SENSOR);
-    assertThat(read.oneWay(0)).isTrue();
-    assertThat(read.response(ObstacleKind.PEG, 0)).isEqualTo(Response.HALT);
-    assertThat(read.response(ObstacleKind.CIRCLE, 0)).isEqualTo(Response.SENSOR);
-    assertThat(read).isNotEqualTo(box().line(1, 2, 3, 4).build());
-  }
 
   @Test
   void boundsCannotBeASensor() {

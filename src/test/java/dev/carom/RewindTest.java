@@ -178,30 +178,6 @@ class RewindTest {
             .build());
   }
 
-  /** No flight begins: the sensor flies through three circles. */
-  @Test
-  void contactsThatWereReportedAreNotReportedAgain() {
-    World world = sensors();
-    Timeline past = world.record(MOST);
-    assertThat(world.advanceTo(40)).isTrue();
-    assertThat(world.impacts().size()).isEqualTo(3);
-    for (double t : new double[] {0, 5, 8, 12, 18, 25, 28, 35}) {
-      World then = sensors();
-      assertThat(then.advanceTo(t)).isTrue();
-      assertThat(past.snapshot(t)).as("at %s", t).isEqualTo(then.snapshot());
-    }
-  }
-
-  @Test
-  void contactsFromBeforeTheRecordingAreKnown() {
-    World world = sensors();
-    assertThat(world.advanceTo(9)).isTrue();
-    Timeline past = world.record(MOST);
-    Snapshot then = world.snapshot();
-    assertThat(world.advanceTo(40)).isTrue();
-    assertThat(past.snapshot(9)).isEqualTo(then);
-  }
-
   @Test
   void theBoundHoldsForReportsToo() {
     World world = sensors();
@@ -237,95 +213,6 @@ class RewindTest {
   }
 
   // Stuck circles.
-
-  private static Scene piston(int balls, double e) {
-    SceneBuilder scene = Scene.builder().collide(true).bounds(0, 0, 40, 10);
-    for (int i = 0; i < balls; i++) {
-      scene.circle(20 + 3 * i, 5, 1, 0.25 * i, 0).restitution(e);
-    }
-    return scene.circle(2, 5, 1, 1, 0).mass(Double.POSITIVE_INFINITY).build();
-  }
-
-  private static Scene heap(Random random) {
-    SceneBuilder scene = Scene.builder().collide(true).bounds(0, 0, 40, 40);
-    for (int i = 0; i < 24; i++) {
-      scene.circle(3 + 6 * (i % 6), 3 + 6 * (i / 6), 2.9, random.nextGaussian(), 1).restitution(0);
-    }
-    return scene.build();
-  }
-
-  private static void assertPastIsRight(Scene scene, double end, int moments) {
-    World world = new World(scene);
-    Timeline past = world.record(MOST);
-    assertThat(world.advanceTo(end)).isTrue();
-    World other = new World(scene);
-    for (int i = 0; i <= moments; i++) {
-      double t = end * i / moments;
-      assertThat(other.advanceTo(t)).isTrue();
-      assertThat(SnapshotParts.of(past.snapshot(t))).isEqualTo(SnapshotParts.of(other.snapshot()));
-    }
-  }
-
-  /** A piston crushes balls at a wall, passes over them, turns round and comes back. */
-  @ParameterizedTest
-  @CsvSource({"1, 0", "1, 1", "2, 0", "3, 0.5", "5, 0", "5, 0.5", "5, 0.9"})
-  void whoeverIsCrushedIsRecorded(int balls, double e) {
-    assertPastIsRight(piston(balls, e), 120, 1000);
-  }
-
-  @ParameterizedTest
-  @ValueSource(ints = {1, 2, 3})
-  void heapsAreRecorded(int seed) {
-    assertPastIsRight(heap(new Random(seed)), 60, 600);
-  }
-
-  /** The ball that it crushed is free at the moment at which the piston is removed. */
-  @Test
-  void whatWasRemovedIsNotIgnoredAnyMore() {
-    World world = new World(piston(1, 0.5));
-    Timeline past = world.record(MOST);
-    assertThat(world.advanceTo(36)).isTrue();
-    Snapshot crushed = world.snapshot();
-    assertThat(crushed.state.flights().jams).isNotNull();
-    assertThat(world.advanceTo(36.25)).isTrue();
-    world.remove(CIRCLE, 1);
-    Snapshot removed = world.snapshot();
-    assertThat(removed.state.flights().jams).isNull();
-    assertThat(world.advanceTo(40)).isTrue();
-    assertThat(past.snapshot(36)).isEqualTo(crushed);
-    assertThat(past.snapshot(36.25)).isEqualTo(removed);
-  }
-
-  /** An edit comes after an impact of that time, also if its circle was removed then. */
-  @Test
-  void theTimeOfAnEditIsThatOfThen() {
-    Scene scene = box(true).scene();
-    World first = new World(scene);
-    assertThat(first.advanceTo(50)).isTrue();
-    int tails = 0;
-    for (int row = 0; row < first.impacts().size(); row++) {
-      double t = first.impacts().time(row);
-      int id = first.impacts().circle(row);
-      World world = new World(scene);
-      Timeline past = world.record(MOST);
-      assertThat(world.advanceTo(t)).isTrue();
-      world.remove(CIRCLE, id);
-      Timeline later = world.record(MOST);
-      Snapshot then = world.snapshot();
-      tails += then.state.tailOfEdit() > 0 ? 1 : 0;
-      assertThat(world.step(1)).isTrue();
-      assertThat(later.snapshot(t)).isEqualTo(then);
-      assertThat(past.snapshot(t)).isEqualTo(then);
-
-      World on = new World(scene);
-      Timeline all = on.record(MOST);
-      assertThat(on.advanceTo(t)).isTrue();
-      on.remove(CIRCLE, id);
-      assertThat(on.step(1)).isTrue();
-      assertThat(all.snapshot(t)).isEqualTo(then);
-    }
-    assertThat(tails).isPositive();
-  }
 
   // The ends of a recording.
 

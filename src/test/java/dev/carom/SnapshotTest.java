@@ -8,21 +8,15 @@ import static dev.carom.ObstacleKind.WALL;
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.assertThatThrownBy;
 
-import dev.carom.internal.state.EngineOptions;
-import dev.carom.internal.state.FlightTable;
-import dev.carom.internal.state.IgnoreList;
-import dev.carom.internal.state.WorldState;
 import java.math.BigInteger;
 import java.security.MessageDigest;
 import java.security.NoSuchAlgorithmException;
-import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.List;
 import java.util.function.Consumer;
 import java.util.stream.Stream;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
-import org.junit.jupiter.params.provider.CsvSource;
 import org.junit.jupiter.params.provider.MethodSource;
 import org.junit.jupiter.params.provider.ValueSource;
 
@@ -113,27 +107,6 @@ class SnapshotTest {
   }
 
   @ParameterizedTest
-  @CsvSource({"false, 0", "true, 0", "false, -0.5", "true, -0.5"})
-  void howARunWasCutIntoStepsDoesNotShow(boolean collide, double gravity) {
-    SceneBuilder builder = box(collide).gravity(0, gravity).peg(80, 80, 3).response(Response.HALT);
-    builder.line(10, 40, 90, 60).response(Response.SENSOR).peg(20, 80, 3).response(Response.SENSOR);
-    Scene scene = builder.build();
-    // Cells so small that a search goes only as far as a step needs.
-    World one = new World(scene, EngineOptions.cells(0.25));
-    World two = new World(scene, EngineOptions.cells(0.25));
-    for (int i = 10; i <= 100; i += 10) {
-      Run.to(one, i);
-      for (int k = 99; k >= 0; k--) {
-        Run.to(two, i - k / 10.0);
-      }
-      assertThat(two.snapshot()).isEqualTo(one.snapshot());
-      World restored = new World(scene);
-      restored.restore(one.snapshot());
-      assertThat(restored.snapshot()).isEqualTo(one.snapshot());
-    }
-  }
-
-  @ParameterizedTest
   @ValueSource(booleans = {false, true})
   void aRestoredWorldGoesOnAsTheOneItWasTakenFrom(boolean collide) {
     World one = world(collide);
@@ -183,102 +156,6 @@ class SnapshotTest {
   }
 
   // Sensors: each entry is reported once, whenever it was saved.
-
-  private static World sensors() {
-    return new World(
-        Scene.builder()
-            .collide(true)
-            .line(50, 0, 50, 100)
-            .response(Response.SENSOR)
-            .line(50, 100, 50, 0)
-            .response(Response.SENSOR)
-            .peg(60, 50, 5)
-            .response(Response.SENSOR)
-            .circle(10, 50, 5, 5, 0)
-            .circle(90, 50, 5, -5, 0)
-            .response(Response.SENSOR)
-            .circle(90, 45, 5, -5, 0)
-            .response(Response.SENSOR)
-            .build());
-  }
-
-  @Test
-  void eachEntryIsReportedOnceWhereverTheRunIsSaved() {
-    List<Run.Row> expected = Run.advance(sensors(), 20).impacts();
-    assertThat(expected).hasSizeGreaterThan(8);
-    for (Run.Row row : expected) {
-      for (double at : new double[] {Math.nextDown(row.time()), row.time(), row.time() + 1e-9}) {
-        World world = sensors();
-        List<Run.Row> rows = new ArrayList<>(Run.advance(world, at).impacts());
-        World other = sensors();
-        other.restore(world.snapshot());
-        rows.addAll(Run.advance(other, 20).impacts());
-        assertThat(rows).isEqualTo(expected);
-      }
-    }
-  }
-
-  /** The first of two sensors at one place was found ahead, and removed before it was met. */
-  @ParameterizedTest
-  @ValueSource(booleans = {false, true})
-  void theOtherSensorIsReportedWhenOneWasRemoved(boolean collide) {
-    SceneBuilder setup = Scene.builder().collide(collide);
-    setup.line(50, 0, 50, 100).response(Response.SENSOR);
-    setup.line(50, 100, 50, 0).response(Response.SENSOR).circle(10, 50, 5, 5, 0);
-    World world = new World(setup.build());
-    Run.step(world, 6);
-    world.remove(LINE, 0);
-    World other = new World(world.scene());
-    other.restore(world.snapshot());
-    assertThat(Run.advance(world, 20).impacts()).extracting(Run.Row::obstacle).containsExactly(1);
-    assertThat(Run.advance(other, 20).impacts()).extracting(Run.Row::obstacle).containsExactly(1);
-  }
-
-  @Test
-  void anotherPlaceMakesAnotherHashCode() {
-    World world = new World(Scene.builder().circle(0, 0, 1, 1, 0).build());
-    Snapshot before = world.snapshot();
-    world.setPosition(0, 5, 0);
-    assertThat(world.snapshot()).doesNotHaveSameHashCodeAs(before);
-  }
-
-  /** Each number of a circle counts, also one that no edit sets. */
-  @Test
-  void anotherNumberMakesAnotherHash() {
-    World world = world(true);
-    Run.step(world, 2.5);
-    Snapshot snapshot = world.snapshot();
-    long before = snapshot.hash64();
-    FlightTable flights = snapshot.state.flights();
-    for (int k = 0; k < flights.state.length; k++) {
-      double number = flights.state[k];
-      flights.state[k] = Math.nextUp(number);
-      assertThat(snapshot.hash64()).as("number %s", k).isNotEqualTo(before);
-      flights.state[k] = number;
-    }
-    for (int k = 0; k < flights.codes.length; k++) {
-      flights.codes[k]++;
-      assertThat(snapshot.hash64()).as("code %s", k).isNotEqualTo(before);
-      flights.codes[k]--;
-    }
-    WorldState s = snapshot.state;
-    WorldState other =
-        new WorldState(
-            s.now(),
-            s.collide(),
-            s.obstacles(),
-            s.registry(),
-            s.limits(),
-            flights,
-            Double.MIN_VALUE,
-            s.gx(),
-            s.gy());
-    assertThat(new Snapshot(other).hash64()).as("tail of an edit").isNotEqualTo(before);
-    flights.jams = new IgnoreList[] {IgnoreList.with(null, 5), null, null};
-    assertThat(snapshot.hash64()).as("a jam").isNotEqualTo(before);
-    flights.jams = null;
-    assertThat(snapshot.hash64()).isEqualTo(before);
-  }
 
   @Test
   void theHashIsThatOfTheWrittenBytes() throws NoSuchAlgorithmException {

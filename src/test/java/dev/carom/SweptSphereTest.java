@@ -3,13 +3,10 @@ package dev.carom;
 
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.assertThatThrownBy;
-import static org.assertj.core.api.Assertions.within;
 
-import dev.carom.internal.response.Impulse;
 import dev.carom.oracle.Draw;
 import dev.carom.oracle.Families;
 import dev.carom.oracle.Family;
-import dev.carom.oracle.PairQuery;
 import dev.carom.oracle.SphereFamilies;
 import dev.carom.oracle.SphereQuery;
 import java.util.Arrays;
@@ -60,54 +57,6 @@ class SweptSphereTest {
     assertThat(hits).isPositive();
   }
 
-  /** Any two of the three axes, the third one still or moving alike. */
-  @ParameterizedTest
-  @MethodSource("pairs")
-  void inAPlaneTheAnswerIsThatOfCircles(Family family) {
-    Draw draw = new Draw(SEED);
-    for (int i = 0; i < QUERIES / 10; i++) {
-      PairQuery q = (PairQuery) family.next(draw);
-      double t =
-          SweptCircle.pair(
-              q.x1(), q.y1(), q.r1(), q.vx1(), q.vy1(), q.x2(), q.y2(), q.r2(), q.vx2(), q.vy2(),
-              q.end());
-      double z = i % 7 - 3;
-      double w = i % 5;
-      assertThat(
-              time(
-                  q.x1(), q.y1(), z, q.r1(), q.vx1(), q.vy1(), w, q.x2(), q.y2(), z, q.r2(),
-                  q.vx2(), q.vy2(), w, q.end()))
-          .as(q.hex())
-          .isEqualTo(t);
-      assertThat(
-              time(
-                  z, q.x1(), q.y1(), q.r1(), w, q.vx1(), q.vy1(), z, q.x2(), q.y2(), q.r2(), w,
-                  q.vx2(), q.vy2(), q.end()))
-          .as(q.hex())
-          .isEqualTo(t);
-      assertThat(
-              time(
-                  q.y1(), z, q.x1(), q.r1(), q.vy1(), w, q.vx1(), q.y2(), z, q.x2(), q.r2(),
-                  q.vy2(), w, q.vx2(), q.end()))
-          .as(q.hex())
-          .isEqualTo(t);
-    }
-  }
-
-  @Test
-  void touchingSpheresDoNotOverlap() {
-    assertThat(SweptSphere.overlaps(0, 0, 0, 1, 2, 3, 6, 6)).isFalse();
-    assertThat(SweptSphere.overlaps(0, 0, 0, 1, 2, 3, 6, Math.nextUp(6.0))).isTrue();
-    assertThat(SweptSphere.overlaps(0, 0, 0, 0, 0, 0, 0, 0)).isFalse();
-  }
-
-  @Test
-  void equalMassesExchangeTheirVelocitiesAlongTheNormal() {
-    double[] v = {3, 5, 7, -2, 1, 4};
-    SweptSphere.respond(0, 0, 0, 2, 10, 0, 0, 2, 1, v);
-    assertThat(v).containsExactly(-2, 5, 7, 3, 1, 4);
-  }
-
   /** Differences of these places, or of these velocities, are beyond the doubles. */
   @Test
   void alsoWhereDifferencesAreBeyondTheDoubles() {
@@ -117,16 +66,6 @@ class SweptSphereTest {
     double[] fast = {1.5e308, 5, 7, -1.25e308, 1, 4};
     SweptSphere.respond(0, 0, 0, 2, 10, 0, 0, 2, 1, fast);
     assertThat(fast).containsExactly(-1.25e308, 5, 7, 1.5e308, 1, 4);
-  }
-
-  @Test
-  void anyRestitutionTurnsTheVelocityRound() {
-    double[] v = {3, 5, 7, -2, 1, 4};
-    SweptSphere.respond(0, 0, 0, 2, 10, 0, 0, 2, 0x1p200, v);
-    assertThat(v).containsExactly(-2.5 * 0x1p200, 5, 7, 2.5 * 0x1p200, 1, 4);
-    double[] slow = {0x1p-600, 5, 7, -0x1p-600, 5, 7};
-    SweptSphere.respond(0, 0, 0, 2, 10, 0, 0, 2, 0x1p200, slow);
-    assertThat(slow).containsExactly(-0x1p-400, 5, 7, 0x1p-400, 5, 7);
   }
 
   @Test
@@ -153,18 +92,6 @@ class SweptSphereTest {
     return (m1 * (v[0] * v[0] + v[1] * v[1] + v[2] * v[2])
             + m2 * (v[3] * v[3] + v[4] * v[4] + v[5] * v[5]))
         / 2;
-  }
-
-  @Test
-  void inAPlaneTheResponseIsThatOfImpulse() {
-    double[] v = {3, -5, 0, 1, 2, 0};
-    SweptSphere.respond(1, 9, 4, 2, 3, 1, 4, 3, 0.5, v);
-    Impulse impulse = new Impulse();
-    impulse.of(1.5, 2, -7, -2, 8);
-    assertThat(v[2]).isZero();
-    assertThat(v[5]).isZero();
-    assertThat(v[0]).isCloseTo(impulse.change(3, -0.6, 0, -2), within(0x1p-50));
-    assertThat(v[4]).isCloseTo(impulse.change(2, 0.4, 0, 8), within(0x1p-50));
   }
 
   @Test

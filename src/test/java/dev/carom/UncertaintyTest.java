@@ -58,27 +58,6 @@ class UncertaintyTest {
   }
 
   /**
-   * The errors of each impact add up, and grow no faster. An impact rounds the place p by u (|p| +
-   * 2 d), along the velocity and across it, where d is the distance that the circle moved towards
-   * the wall since its last impact. Here p is in 1..6 x 1..4 and d is at most 5, so an impact adds
-   * 2.8 u to 34.5 u. The flight since the last impact adds less than another one.
-   */
-  @Test
-  void wallsAddRoundings() {
-    World world = new World(Scene.builder().bounds(0, 0, 7, 5).circle(3, 2, 1, 1.3, 2.1).build());
-    Uncertainty uncertainty = new Uncertainty(world, 1);
-    int impacts = 0;
-    while (world.now() < 1000) {
-      world.step(1);
-      impacts += world.impacts().size();
-      uncertainty.update();
-    }
-    assertThat(impacts).isGreaterThan(900);
-    assertThat(uncertainty.bound(0)).isBetween(impacts * 2.8 * U, (impacts + 1) * 34.5 * U);
-    assertThat(uncertainty.lyapunovExponent(0)).isZero();
-  }
-
-  /**
    * A circle flies to and fro between a wall and a peg. With the gap g and the distance R of the
    * centres at contact, the map of a period has the trace {@code 2 + 4 g / R}, and so the larger
    * eigenvalue {@code exp(arcosh(1 + 2 g / R))}.
@@ -95,23 +74,6 @@ class UncertaintyTest {
     double cosh = 1 + 2 * gap / reach;
     double exponent = Math.log(cosh + Math.sqrt(cosh * cosh - 1)) / (2 * gap / 4);
     assertThat(uncertainty.lyapunovExponent(0)).isCloseTo(exponent, offset(1e-3));
-  }
-
-  @Test
-  void withoutRoundObstaclesTheExponentFollowsTheRestitution() {
-    assertThat(exponentInABox(0.9)).isFinite().isNegative();
-    assertThat(exponentInABox(1)).isZero();
-    assertThat(exponentInABox(1.1)).isFinite().isPositive();
-    assertThat(exponentInABox(0)).isEqualTo(Double.NEGATIVE_INFINITY);
-  }
-
-  private static double exponentInABox(double restitution) {
-    SceneBuilder setup = Scene.builder().bounds(0, 0, 90, 5).restitution(restitution);
-    Scene scene = setup.circle(3, 2, 1, 1.3, 2.1).build();
-    World world = new World(scene);
-    Uncertainty uncertainty = new Uncertainty(world, 1);
-    advance(world, uncertainty, 10);
-    return uncertainty.lyapunovExponent(0);
   }
 
   @Test
@@ -143,20 +105,6 @@ class UncertaintyTest {
     assertThat(uncertainty.lostAt()).isLessThanOrEqualTo(lostAt).isPositive();
     assertThat(uncertainty.bound(0)).isInfinite();
     assertThat(uncertainty.lyapunovExponent(0)).isPositive();
-  }
-
-  @Test
-  void stepsDoNotMatter() {
-    World world = new World(billiard().build());
-    World other = new World(billiard().build());
-    Uncertainty uncertainty = new Uncertainty(world, 1e-6);
-    Uncertainty ofOther = new Uncertainty(other, 1e-6);
-    advance(world, uncertainty, 60);
-    other.advanceTo(60);
-    ofOther.update();
-    assertThat(ofOther.bound(0)).isCloseTo(uncertainty.bound(0), offset(1e-6 * ofOther.bound(0)));
-    assertThat(ofOther.lyapunovExponent(0))
-        .isCloseTo(uncertainty.lyapunovExponent(0), offset(1e-13));
   }
 
   @Test
@@ -257,18 +205,6 @@ class UncertaintyTest {
     assertThat(uncertainty.bound(0)).isInfinite();
   }
 
-  /** At a halt along a line only the motion along it remains, and its error. */
-  @Test
-  void aCircleThatHaltsAtALineKeepsItsError() {
-    SceneBuilder setup = Scene.builder().line(-1000, 0, 1000, 0).response(Response.HALT);
-    Scene scene = setup.circle(0, 5, 2, 1, -1).build();
-    World world = new World(scene);
-    Uncertainty uncertainty = new Uncertainty(world, 1);
-    advance(world, uncertainty, 20);
-    assertThat(world.vy(0)).isZero();
-    assertThat(uncertainty.bound(0)).isBetween(U, 1000 * U);
-  }
-
   @Test
   void aCircleThatRestsIsUnknown() {
     Scene scene =
@@ -289,25 +225,6 @@ class UncertaintyTest {
     advance(world, uncertainty, 60);
     advance(sensed, ofSensed, 60);
     assertThat(ofSensed.bound(0)).isEqualTo(uncertainty.bound(0));
-  }
-
-  /**
-   * A ball dropped on a floor again and again: neither its error nor a path beside it grows but by
-   * roundings. Those of one bounce move the later path by no more than 8 u of the room.
-   */
-  @Test
-  void bouncesOnAFloorAddRoundings() {
-    Scene scene =
-        Scene.builder().bounds(0, 0, 100, 90).circle(50, 12, 2, 0, 0).gravity(0, -1).build();
-    World world = new World(scene);
-    Uncertainty uncertainty = new Uncertainty(world, 1e-9);
-    advance(world, uncertainty, 800);
-    double bounces = 800 / (2 * Math.sqrt(20));
-    // An early bounce changes the speed, by g u d: the height changes by that times a duration.
-    double growth = bounces * bounces * 8 * U * (12 + 20);
-    assertThat(uncertainty.bound(0)).isBetween(bounces * U, growth);
-    assertThat(uncertainty.lostAt()).isInfinite();
-    assertThat(uncertainty.lyapunovExponent(0)).isZero();
   }
 
   /**
@@ -361,37 +278,6 @@ class UncertaintyTest {
       builder.peg(20 + 30 * (i % 3) + 5 * (i / 3 % 2), 60 + 25 * (i / 3), 4);
     }
     return builder.circle(47 + off, 180, 3, 0, -0.5).build();
-  }
-
-  @Test
-  void stepsDoNotMatterUnderGravity() {
-    World world = new World(plinko(0));
-    World other = new World(plinko(0));
-    Uncertainty uncertainty = new Uncertainty(world, 1e-9);
-    Uncertainty ofOther = new Uncertainty(other, 1e-9);
-    advance(world, uncertainty, 60);
-    other.advanceTo(60);
-    ofOther.update();
-    assertThat(ofOther.bound(0)).isBetween(1e-14, 1e-6);
-    assertThat(ofOther.bound(0)).isCloseTo(uncertainty.bound(0), offset(1e-6 * ofOther.bound(0)));
-    assertThat(ofOther.lostAt(0)).isCloseTo(uncertainty.lostAt(0), offset(1e-6));
-  }
-
-  /** Lengths and gravity 2^20 times as large: all is 2^20 times as large. */
-  @Test
-  void theUnitOfLengthDoesNotMatterUnderGravity() {
-    double[] bounds = new double[2];
-    for (int i = 0; i < 2; i++) {
-      double unit = i == 0 ? 1 : 0x1p20;
-      SceneBuilder setup = Scene.builder().bounds(0, 0, 100 * unit, 200 * unit);
-      setup.peg(50 * unit, 50 * unit, 20 * unit).gravity(0, -0.125 * unit);
-      Scene scene = setup.circle(48 * unit, 180 * unit, 3 * unit, 0, -0.5 * unit).build();
-      World world = new World(scene);
-      Uncertainty uncertainty = new Uncertainty(world, unit);
-      advance(world, uncertainty, 120);
-      bounds[i] = uncertainty.bound(0) / unit;
-    }
-    assertThat(bounds[1]).isFinite().isCloseTo(bounds[0], offset(1e-12 * bounds[0]));
   }
 
   @Test

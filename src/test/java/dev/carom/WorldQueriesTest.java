@@ -5,7 +5,6 @@ import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.assertThatThrownBy;
 import static org.assertj.core.api.Assertions.within;
 
-import dev.carom.internal.query.Proximity;
 import dev.carom.internal.state.Codes;
 import java.math.BigDecimal;
 import java.math.MathContext;
@@ -13,7 +12,6 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
 import java.util.Random;
-import java.util.stream.IntStream;
 import org.junit.jupiter.api.Test;
 
 /** Queries of a world, or of a resolver, that move nothing. */
@@ -170,18 +168,6 @@ class WorldQueriesTest {
   }
 
   @Test
-  void aRayMeetsWhatAPointMeets() {
-    World world = new World(room().line(50, 0, 50, 100).circle(20, 50, 5, 1, 0).build());
-    Impact hit = world.cast(new Circle(30, 40, 0), new Vec2(10, 0), 5).orElseThrow();
-    assertThat(hit.time()).isEqualTo(2);
-    assertThat(hit.point()).isEqualTo(new Vec2(50, 40));
-    assertThat(hit.normal()).isEqualTo(new Vec2(-1, 0));
-    assertThat(hit.kind()).isEqualTo(ObstacleKind.LINE);
-    assertThat(hit.id()).isZero();
-    assertThat(world.cast(new Circle(30, 40, 0), new Vec2(10, 0), 1.5)).isEmpty();
-  }
-
-  @Test
   void circlesAreAskedOnlyWhereTheyCollide() {
     SceneBuilder scene = room().circle(50, 50, 5, 0, 0);
     Circle asked = new Circle(20, 50, 5);
@@ -197,36 +183,6 @@ class WorldQueriesTest {
     World world = new World(room().collide(true).circle(20, 50, 5, 1, 0).build());
     assertThat(world.cast(new Circle(20, 50, 5), new Vec2(1, 0), NEVER).orElseThrow().kind())
         .isEqualTo(ObstacleKind.WALL);
-  }
-
-  @Test
-  void sensorsArePassedOverAndOneWayLinesStopFromTheLeft() {
-    SceneBuilder scene = room().line(30, 0, 30, 100).response(Response.SENSOR);
-    scene.line(50, 0, 50, 100).oneWay().peg(10, 20, 4).response(Response.SENSOR);
-    World world = new World(scene.build());
-    assertThat(world.cast(new Circle(20, 20, 5), new Vec2(1, 0), NEVER).orElseThrow().id())
-        .isEqualTo(1);
-    Impact wall = world.cast(new Circle(80, 20, 5), new Vec2(-1, 0), NEVER).orElseThrow();
-    assertThat(wall.kind()).isEqualTo(ObstacleKind.WALL);
-    assertThat(wall.id()).isEqualTo(Codes.LEFT);
-  }
-
-  @Test
-  void questionsKnowEdits() {
-    World world = new World(room().build());
-    Circle asked = new Circle(20, 50, 5);
-    Vec2 v = new Vec2(1, 0);
-    int line = world.addLine(60, 0, 60, 100);
-    assertThat(world.cast(asked, v, NEVER).orElseThrow().time()).isEqualTo(35);
-    world.moveLine(line, 40, 0, 40, 100);
-    assertThat(world.cast(asked, v, NEVER).orElseThrow().time()).isEqualTo(15);
-    world.remove(ObstacleKind.LINE, line);
-    assertThat(world.cast(asked, v, NEVER).orElseThrow().time()).isEqualTo(75);
-    for (int i = 0; i < 200; i++) {
-      world.addLine(60, i % 100, 60, i % 100 + 1);
-    }
-    assertThat(world.cast(asked, v, NEVER).orElseThrow().time()).isEqualTo(35);
-    assertThat(world.nearest(ObstacleKind.LINE, 61, 3.5)).isEqualTo(4);
   }
 
   // Paths.
@@ -288,110 +244,7 @@ class WorldQueriesTest {
     }
   }
 
-  @Test
-  void theNearestOfAResolverIsOfAnyKind() {
-    Endpoint end = new Endpoint(9, 9);
-    Line line = new Line(0, 0, 5, 0);
-    Resolver resolver = Resolver.of(List.of(end, line, new Bounds(-50, -50, 50, 50)));
-    assertThat(resolver.nearest(new Vec2(8, 8))).contains(end);
-    assertThat(resolver.nearest(new Vec2(3, 1))).contains(line);
-    assertThat(resolver.nearest(new Vec2(-40, 1))).contains(new Bounds(-50, -50, 50, 50));
-    assertThat(Resolver.of(List.of()).nearest(Vec2.ZERO)).isEmpty();
-  }
-
   // Overlaps.
-
-  @Test
-  void whatTouchesDoesNotOverlap() {
-    World world = new World(room().peg(30, 40, 10).line(70, 0, 70, 100).build());
-    assertThat(world.overlapping(ObstacleKind.PEG, new Circle(0, 0, 40))).isEmpty();
-    assertThat(world.overlapping(ObstacleKind.PEG, new Circle(0, 0, Math.nextUp(40.0))))
-        .containsExactly(0);
-    assertThat(world.overlapping(ObstacleKind.LINE, new Circle(60, 50, 10))).isEmpty();
-    assertThat(world.overlapping(ObstacleKind.LINE, new Circle(60, 50, Math.nextUp(10.0))))
-        .containsExactly(0);
-    assertThat(world.overlapping(ObstacleKind.WALL, new Circle(10, 50, 10))).isEmpty();
-    assertThat(world.overlapping(ObstacleKind.WALL, new Circle(10, 50, 10.5)))
-        .containsExactly(Codes.LEFT);
-    assertThat(world.overlapping(ObstacleKind.LINE, new Bounds(60, 0, 70, 10))).isEmpty();
-    assertThat(world.overlapping(ObstacleKind.LINE, new Bounds(60, 0, Math.nextUp(70.0), 10)))
-        .containsExactly(0);
-    assertThat(world.overlapping(ObstacleKind.WALL, new Bounds(-1, 0, 100, 101)))
-        .containsExactly(Codes.LEFT, Codes.TOP);
-  }
-
-  @Test
-  void disksAndCirclesAreComparedExactly() {
-    Random random = new Random(5);
-    int overlaps = 0;
-    for (int i = 0; i < 20_000; i++) {
-      Circle a = new Circle(random.nextInt(50), random.nextInt(50), random.nextInt(20));
-      Circle b =
-          new Circle(random.nextInt(50), random.nextInt(50), nearly(random, random.nextInt(20)));
-      BigDecimal dx = new BigDecimal(a.x()).subtract(new BigDecimal(b.x()));
-      BigDecimal dy = new BigDecimal(a.y()).subtract(new BigDecimal(b.y()));
-      BigDecimal r = new BigDecimal(a.radius()).add(new BigDecimal(b.radius()));
-      boolean overlap = dx.pow(2).add(dy.pow(2)).compareTo(r.pow(2)) < 0;
-      World world = new World(Scene.builder().peg(a.x(), a.y(), a.radius()).build());
-      assertThat(world.overlapping(ObstacleKind.PEG, b)).hasSize(overlap ? 1 : 0);
-      overlaps += overlap ? 1 : 0;
-    }
-    assertThat(overlaps).isBetween(4000, 16_000);
-  }
-
-  private static double nearly(Random random, double x) {
-    return switch (random.nextInt(3)) {
-      case 0 -> Math.nextUp(x);
-      case 1 -> Math.max(0, Math.nextDown(x));
-      default -> x;
-    };
-  }
-
-  /** A box overlaps a line if some point of the line, of very many, is inside. */
-  @Test
-  void boxesAndLines() {
-    Random random = new Random(6);
-    int overlaps = 0;
-    for (int i = 0; i < 5000; i++) {
-      Line line =
-          new Line(random.nextInt(9), random.nextInt(9), random.nextInt(9), random.nextInt(9));
-      Bounds box = new Bounds(2, 3, 2 + 1 + random.nextInt(4), 3 + 1 + random.nextInt(4));
-      boolean inside =
-          IntStream.rangeClosed(0, 1000)
-              .anyMatch(
-                  k -> {
-                    double x = line.ax() + (line.bx() - line.ax()) * k / 1000.0;
-                    double y = line.ay() + (line.by() - line.ay()) * k / 1000.0;
-                    return x > box.xmin() && x < box.xmax() && y > box.ymin() && y < box.ymax();
-                  });
-      Resolver resolver = Resolver.of(List.of(line));
-      assertThat(resolver.overlapping(box)).hasSize(inside ? 1 : 0);
-      overlaps += inside ? 1 : 0;
-    }
-    assertThat(overlaps).isBetween(500, 4500);
-  }
-
-  @Test
-  void boxesAndDisks() {
-    Resolver peg = Resolver.of(List.of(new Circle(13, 14, 5)));
-    assertThat(peg.overlapping(new Bounds(0, 0, 10, 10))).as("corner at distance 5").isEmpty();
-    assertThat(peg.overlapping(new Bounds(0, 0, Math.nextUp(10.0), 10))).hasSize(1);
-    assertThat(peg.overlapping(new Bounds(12, 13, 14, 15))).as("centre inside").hasSize(1);
-    assertThat(peg.overlapping(new Bounds(0, 0, 8, 50))).as("touching a side").isEmpty();
-    Resolver point = Resolver.of(List.of(new Circle(5, 5, 0)));
-    assertThat(point.overlapping(new Bounds(5, 0, 10, 10))).as("on the edge").isEmpty();
-    assertThat(point.overlapping(new Bounds(4, 0, 10, 10))).as("inside").hasSize(1);
-  }
-
-  @Test
-  void circlesAreWhereTheyAreNow() {
-    World world = new World(room().circle(10, 50, 5, 2, 0).circle(90, 50, 5, 0, 0).build());
-    assertThat(world.overlapping(ObstacleKind.CIRCLE, new Circle(50, 50, 5))).isEmpty();
-    Run.step(world, 20);
-    assertThat(world.overlapping(ObstacleKind.CIRCLE, new Circle(50, 50, 5))).containsExactly(0);
-    assertThat(world.overlapping(ObstacleKind.CIRCLE, new Bounds(0, 0, 100, 100)))
-        .containsExactly(0, 1);
-  }
 
   // Refused.
 
@@ -417,23 +270,6 @@ class WorldQueriesTest {
     assertThatThrownBy(() -> world.nearest(ObstacleKind.LINE, 0, Double.NaN))
         .isInstanceOf(IllegalArgumentException.class)
         .hasMessageContaining("y is NaN");
-  }
-
-  @Test
-  void distancesArePlain() {
-    assertThat(Proximity.distance(0, 0, 1, 3, 4)).isCloseTo(4, within(1e-15));
-    assertThat(Proximity.distance(0, 0, 10, 3, 4)).isZero();
-  }
-
-  /** The largest double is a place, and what is there can be asked for. */
-  @Test
-  void circlesAtTheEdgeOfTheDoublesAreThere() {
-    double most = Double.MAX_VALUE;
-    World world =
-        new World(
-            Scene.builder().circle(most, 0, 0x1p990, 0, 0).circle(0, -most, 0x1p990, 0, 0).build());
-    assertThat(world.overlapping(ObstacleKind.CIRCLE, new Circle(most, 0, 1))).containsExactly(0);
-    assertThat(world.overlapping(ObstacleKind.CIRCLE, new Circle(0, -most, 1))).containsExactly(1);
   }
 
   // The index.

@@ -9,7 +9,6 @@ import static org.assertj.core.api.Assertions.within;
 import static org.junit.jupiter.params.provider.Arguments.arguments;
 
 import dev.carom.internal.state.EngineOptions;
-import dev.carom.internal.state.ImpactRows;
 import java.util.List;
 import java.util.stream.Collectors;
 import java.util.stream.Stream;
@@ -68,16 +67,6 @@ class WorldTest {
   }
 
   @Test
-  void minusZeroIsTheTimeZero() {
-    World world = world(floor());
-    Snapshot start = world.snapshot();
-    assertThat(world.advanceTo(-0.0)).isTrue();
-    assertThat(world.now()).isEqualTo(0.0);
-    assertThat(world.step(-0.0)).isTrue();
-    assertThat(world.snapshot()).isEqualTo(start);
-  }
-
-  @Test
   void bouncesInsideAStepAndUsesTheRestOfIt() {
     World world = world(floor());
     assertThat(world.step(3)).isTrue();
@@ -117,16 +106,6 @@ class WorldTest {
   }
 
   @Test
-  void anImpactJustAfterAStepBelongsToTheNext() {
-    World world = world(floor());
-    Run.to(world, Math.nextDown(2.0));
-    assertThat(world.impacts().size()).isZero();
-    assertMoves(world, 0, 1, -4);
-    Run.to(world, 2);
-    assertThat(world.impacts().size()).isEqualTo(1);
-  }
-
-  @Test
   void theLogIsAlwaysTheSameAndHoldsOnlyTheLastStep() {
     World world = world(floor());
     ImpactLog log = world.impacts();
@@ -135,16 +114,6 @@ class WorldTest {
     Run.step(world, 0);
     assertThat(log.size()).isZero();
     assertThat(world.impacts()).isSameAs(log);
-  }
-
-  @Test
-  void aStepOfZeroTakesTheImpactsOfNow() {
-    World world = world(Scene.builder().line(-9, 0, 9, 0).circle(0, 1, 2, 0, -4));
-    assertThat(world.step(0)).isTrue();
-    assertThat(world.impacts().size()).isEqualTo(1);
-    assertThat(world.impacts().time(0)).isZero();
-    assertMoves(world, 0, 0, 4);
-    assertAt(world, 0, 0, 1);
   }
 
   @Test
@@ -204,19 +173,6 @@ class WorldTest {
     }
     assertThat(calls).isPositive();
     assertThat(world.now()).isEqualTo(end);
-  }
-
-  @ParameterizedTest
-  @ValueSource(doubles = {Double.NaN, -1, -Double.MIN_VALUE, Double.POSITIVE_INFINITY})
-  void refusesASenselessStep(double dt) {
-    World world = world(floor());
-    Run.to(world, 1);
-    assertThatIllegalArgumentException()
-        .isThrownBy(() -> world.step(dt))
-        .withMessageContaining("dt is " + dt)
-        .withMessageContaining("expected");
-    assertThat(world.now()).isEqualTo(1);
-    assertAt(world, 0, 1, 6);
   }
 
   @ParameterizedTest
@@ -376,30 +332,6 @@ class WorldTest {
     }
   }
 
-  @Test
-  void withoutRestitutionTheCircleSlidesOn() {
-    World world =
-        world(Scene.builder().line(-100, 0, 100, 0).restitution(0).circle(0, 10, 2, 3, -4));
-    Run.to(world, 20);
-    assertThat(world.impacts().size()).isEqualTo(1);
-    assertThat(world.x(0)).isEqualTo(60);
-    assertThat(world.y(0)).isCloseTo(2, within(1e-14));
-  }
-
-  /** Each bounce keeps half: the times form a geometric series, the gaps 8, 16, 32, ... long. */
-  @Test
-  void halfRestitutionBetweenWallsDoublesEachFlight() {
-    World world =
-        world(Scene.builder().bounds(-10, 0, 10, 10).restitution(0.5).circle(0, 5, 2, 2, 0));
-    Run.to(world, 4 + 16 + 32 + 64);
-    assertThat(Run.rows(world.impacts()))
-        .extracting(Run.Row::time)
-        .containsExactly(4.0, 20.0, 52.0, 116.0);
-    assertThat(Run.rows(world.impacts()))
-        .extracting(Run.Row::speed)
-        .containsExactly(2.0, 1.0, 0.5, 0.25);
-  }
-
   // Walls, pegs, open scenes.
 
   /** Left 0, right 1, bottom 2, top 3; at t = 3 and t = 9 two of them at once. */
@@ -419,56 +351,6 @@ class WorldTest {
             tuple(9.0, 2));
     assertThat(Run.rows(world.impacts()))
         .allMatch(row -> row.kind() == ObstacleKind.WALL && row.feature() == Feature.SIDE);
-  }
-
-  @Test
-  void aPegTurnsACircleByItsNormal() {
-    // Contact at the offset (9, 12): v.n = -25/5, v' = v + 10 n = (-1 + 6, -7 + 8)
-    World world = world(Scene.builder().peg(0, 0, 7).circle(9 + 1, 12 + 7, 8, -1, -7));
-    Run.to(world, 1);
-    ImpactLog log = world.impacts();
-    assertThat(log.kind(0)).isEqualTo(ObstacleKind.PEG);
-    assertThat(log.feature(0)).isEqualTo(Feature.CIRCLE);
-    assertThat(log.time(0)).isEqualTo(1);
-    assertThat(world.vx(0)).isCloseTo(-1 + 2 * 6.2 * 0.6, within(1e-14));
-    assertThat(world.vy(0)).isCloseTo(-7 + 2 * 6.2 * 0.8, within(1e-14));
-    assertThat(log.x(0)).isCloseTo(4.2, within(1e-14));
-    assertThat(log.y(0)).isCloseTo(5.6, within(1e-14));
-  }
-
-  /** The circle that has left everything behind flies on for ever, and so exactly. */
-  @Test
-  void aCircleLeavesAnOpenScene() {
-    World world = world(floor());
-    Run.to(world, 0x1p40);
-    assertThat(world.impacts().size()).isEqualTo(1);
-    assertAt(world, 0, 0x1p40, 2 + 4 * (0x1p40 - 2));
-    assertAt(world, 1, 0, 20 + 0x1p43);
-  }
-
-  @Test
-  void aCircleThatLeavesTheRangeOfDoublesHitsNothingAnyMore() {
-    World world = world(Scene.builder().line(0, 0, 1, 0).circle(0, 5, 2, 1e300, 0));
-    assertThat(world.advanceTo(1e10)).isTrue();
-    assertThat(world.x(0)).isEqualTo(Double.POSITIVE_INFINITY);
-    assertThat(world.y(0)).isEqualTo(5);
-    assertThat(world.step(1)).isTrue();
-  }
-
-  /** No threshold: at 1e-9 and at 1e9 a frame the same bounces follow. */
-  @ParameterizedTest
-  @ValueSource(doubles = {0x1p-100, 0x1p-30, 1, 0x1p30, 0x1p100})
-  void everySpeedBouncesAlike(double s) {
-    World slow = world(Scene.builder().bounds(0, 0, 20, 10).circle(10, 5, 2, 8, 1));
-    World world = world(Scene.builder().bounds(0, 0, 20, 10).circle(10, 5, 2, 8 * s, s));
-    Run expected = Run.advance(slow, 100);
-    Run run = Run.advance(world, 100 / s);
-    assertThat(run.impacts()).hasSameSizeAs(expected.impacts()).hasSizeGreaterThan(50);
-    for (int i = 0; i < run.impacts().size(); i++) {
-      assertThat(run.impacts().get(i).time() * s).isEqualTo(expected.impacts().get(i).time());
-      assertThat(run.impacts().get(i).x()).isEqualTo(expected.impacts().get(i).x());
-      assertThat(run.impacts().get(i).y()).isEqualTo(expected.impacts().get(i).y());
-    }
   }
 
   @Test
@@ -552,17 +434,5 @@ class WorldTest {
             "ImpactLog of " + size + " rows",
             "0: time 1.25, circle 0, line 0 SIDE, approach speed 4.0")
         .endsWith("and " + (size - 10) + " more");
-  }
-
-  @Test
-  void aJammedRowSaysSo() {
-    ImpactRows rows = new ImpactRows(1);
-    rows.addPair(1.5, 3, 7);
-    rows.set(0, 0, 2, 0, -3);
-    rows.setOutcome(ImpactRows.JAMMED);
-    assertThat(new ImpactLog(rows))
-        .hasToString(
-            "ImpactLog of 1 rows\n"
-                + "0: time 1.5, circle 3, circle 7 CIRCLE, approach speed 1.5, JAMMED");
   }
 }

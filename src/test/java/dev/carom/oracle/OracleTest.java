@@ -18,7 +18,6 @@ import org.junit.jupiter.params.provider.MethodSource;
  */
 class OracleTest {
   private static final MathContext DIGITS = new MathContext(100);
-  private static final int QUERIES = Integer.getInteger("carom.oracle.queries", 150);
 
   static Stream<String> files() {
     return CaseFile.names().stream();
@@ -44,37 +43,6 @@ class OracleTest {
         assertTrue(error.compareTo(bound) <= 0, expected.toString());
         assertTrue(truth.normalError(expected.nx(), expected.ny()) <= 1e-15, expected.toString());
       }
-    }
-  }
-
-  @ParameterizedTest
-  @MethodSource("families")
-  void agreesWithTheSecondMethod(Family family) {
-    Draw draw = new Draw(family.name().hashCode());
-    for (int i = 0; i < QUERIES; i++) {
-      Query query = family.next(draw);
-      if (query instanceof SegmentQuery q) {
-        assertSame(query, BisectionCheck.of(q), Part.START);
-      } else if (query instanceof PairQuery q) {
-        assertSame(query, BisectionCheck.of(q), Part.CIRCLE);
-      } else if (query instanceof WallQuery q) {
-        BigDecimal time = WallCheck.time(q);
-        double rounded = time == null ? Double.POSITIVE_INFINITY : time.doubleValue();
-        assertEquals(rounded, query.truth().time(), query.hex());
-      }
-    }
-  }
-
-  /** The second method knows two circles as a point and a line that is only its start. */
-  private static void assertSame(Query query, BisectionCheck.Verdict second, Part start) {
-    Contact truth = query.truth();
-    assertEquals(second.part() == Part.START ? start : second.part(), truth.part(), query.hex());
-    if (truth.hit()) {
-      double low = second.low().digits(DIGITS).doubleValue();
-      double high = second.high().digits(DIGITS).doubleValue();
-      assertTrue(truth.time() == low || truth.time() == high, query.hex());
-      double error = truth.normalError(second.nx().doubleValue(), second.ny().doubleValue());
-      assertTrue(error <= 0x1p-53, query.hex() + ", normal off by " + error);
     }
   }
 

@@ -4,8 +4,7 @@
  *
  * <p>Nothing here uses the library. {@link dev.carom.oracle.Oracle} is the definition of contact
  * written down over exact numbers: dyadic ones ({@link dev.carom.oracle.Dyadic}) and signs of
- * {@code x + y sqrt(z)} ({@link dev.carom.oracle.Surd}). {@link dev.carom.oracle.BisectionCheck}
- * answers the same questions in a second way that shares only + - * with the first. {@link
- * dev.carom.oracle.Families} asks the questions, {@link dev.carom.oracle.Judge} compares.
+ * {@code x + y sqrt(z)} ({@link dev.carom.oracle.Surd}). {@link dev.carom.oracle.Families} asks the
+ * questions, {@link dev.carom.oracle.Judge} compares.
  */
 package dev.carom.oracle;

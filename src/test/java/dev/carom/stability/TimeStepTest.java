@@ -14,6 +14,7 @@ import dev.carom.Scene;
 import dev.carom.SceneBuilder;
 import dev.carom.Vec2;
 import dev.carom.World;
+import dev.carom.WorldsOfBudget;
 import java.util.List;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
@@ -69,7 +70,7 @@ class TimeStepTest {
       for (int i = 0; i < 399 && !collide; i++) {
         builder.circle(5, 5, 1, 0, 0);
       }
-      World world = world(builder);
+      World world = WorldsOfBudget.of(builder.build(), 1.0 / 50);
       double now = 0;
       int impacts = 0;
       for (int call = 0; call < 3; call++) {
@@ -117,7 +118,7 @@ class TimeStepTest {
     for (int i = 0; i < 400; i++) {
       scene.circle(5, 5, 1, i == 0 ? 1 : 0, 0);
     }
-    World world = new World(scene.build());
+    World world = WorldsOfBudget.of(scene.build(), 1.0 / 50);
     assertThat(world.step(1)).isTrue();
     assertThat(world.impacts().size()).isPositive();
     world.setVelocity(1, 1e150, 0);

@@ -15,14 +15,12 @@ import dev.carom.SceneParts;
 import dev.carom.World;
 import dev.carom.internal.state.EngineOptions;
 import java.util.ArrayList;
-import java.util.Arrays;
 import java.util.Collections;
 import java.util.List;
 import java.util.Random;
 import java.util.stream.IntStream;
 import java.util.stream.Stream;
 import org.junit.jupiter.api.Tag;
-import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.Arguments;
 import org.junit.jupiter.params.provider.CsvSource;
@@ -37,7 +35,6 @@ class CollidingEngineOptionsTest {
 
   private static final double[] PAIR_CELLS = {1.5, 2, 5, 1000};
   private static final int SEEDS = 2;
-  private static final double END = 30;
 
   /** Draws a scene with a number of circles. */
   private interface Recipe {
@@ -63,16 +60,6 @@ class CollidingEngineOptionsTest {
   }
 
   // Against the plain way.
-
-  @ParameterizedTest(name = "{0}")
-  @MethodSource("recipes")
-  void thePlainWayGivesTheSameImpacts(String name, Object recipe) {
-    int impacts = 0;
-    for (int seed = 0; seed < SEEDS; seed++) {
-      impacts += assertThePlainWayGivesTheSame(draw(recipe, 30, seed));
-    }
-    assertThat(impacts).isGreaterThan(30);
-  }
 
   /** One ulp is a good part of a radius there: cells may not trust their rounding. */
   @ParameterizedTest
@@ -127,51 +114,6 @@ class CollidingEngineOptionsTest {
   }
 
   // Frames.
-
-  @Tag("long")
-  @ParameterizedTest(name = "{0}")
-  @MethodSource("recipes")
-  void stepsOfAnyLengthGiveTheSame(String name, Object recipe) {
-    for (int seed = 20; seed < 20 + SEEDS; seed++) {
-      Scene scene = draw(recipe, 60, seed);
-      Run whole = Run.advance(new World(scene), END);
-      assertThat(Run.step(new World(scene), 1, 30)).isEqualTo(whole);
-      assertThat(Run.step(new World(scene), 0.5, 60)).isEqualTo(whole);
-      Random random = new Random(seed);
-      for (int slices : new int[] {2, 10, 1000}) {
-        double[] times = random.doubles(slices, 0, END).sorted().toArray();
-        times[slices - 1] = END;
-        assertThat(Run.advance(new World(scene), times)).as("%s slices", slices).isEqualTo(whole);
-      }
-      assertThat(Run.advance(new World(scene), aroundImpacts(whole))).isEqualTo(whole);
-    }
-  }
-
-  /** Times at the impacts, and one ulp before and after each. */
-  private static double[] aroundImpacts(Run whole) {
-    double[] around =
-        whole.impacts().stream()
-            .mapToDouble(Run.Row::time)
-            .flatMap(
-                t -> Arrays.stream(new double[] {Math.max(0, Math.nextDown(t)), t, Math.nextUp(t)}))
-            .filter(t -> t <= END)
-            .sorted()
-            .toArray();
-    double[] times = Arrays.copyOf(around, around.length + 1);
-    times[around.length] = END;
-    return times;
-  }
-
-  @Test
-  void lookingChangesNothing() {
-    Scene scene = CollidingScenes.gas(new Random(1), 60).build();
-    World watched = new World(scene);
-    for (int frame = 0; frame < 100; frame++) {
-      Run.step(watched, 1);
-      Run.states(watched);
-    }
-    assertThat(Run.states(watched)).isEqualTo(Run.advance(new World(scene), 100).end());
-  }
 
   // Order.
 

@@ -11,9 +11,7 @@ import dev.carom.SceneBuilder;
 import dev.carom.internal.queue.CalendarQueue;
 import dev.carom.internal.state.CircleRegistry;
 import dev.carom.internal.state.CircleTable;
-import dev.carom.internal.state.FlightRow;
 import dev.carom.internal.util.Index;
-import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.HashSet;
 import java.util.List;
@@ -23,7 +21,6 @@ import java.util.function.IntFunction;
 import java.util.stream.Collectors;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
-import org.junit.jupiter.params.provider.CsvSource;
 import org.junit.jupiter.params.provider.ValueSource;
 
 /** Circles that touch are found, whatever their sizes; cells add and remove circles. */
@@ -106,59 +103,6 @@ class NeighborGridTest {
   }
 
   @Test
-  void whatStandsStillLeavesNoCell() {
-    Scene scene = Scene.builder().circle(3, 4, 1, 0, 0).collide(true).build();
-    CircleTable circles = circles(scene);
-    NeighborGrid neighbors = grid(scene, circles, null, 1);
-    assertThat(crossing(neighbors, circles)).isEqualTo(Double.POSITIVE_INFINITY);
-  }
-
-  /** Where none is near, a circle anywhere in its cell is further than its radius from any wall. */
-  @Test
-  void wallsAreNearOnlyAtTheEdge() {
-    Random random = new Random(3);
-    SceneBuilder builder = Scene.builder().bounds(-3, 2, 97, 52).collide(true);
-    for (int i = 0; i < 500; i++) {
-      builder.circle(100 * random.nextDouble() - 3, 50 * random.nextDouble() + 2, 1, 0, 0);
-    }
-    Scene scene = builder.circle(1e3, 20, 1, 0, 0).circle(20, -1e3, 1, 0, 0).build();
-    CircleTable circles = circles(scene);
-    NeighborGrid neighbors = grid(scene, circles);
-    int inside = 0;
-    for (int i = 0; i < scene.circleCount(); i++) {
-      Circle c = scene.circle(i);
-      double wall = Math.min(Math.min(c.x() + 3, 97 - c.x()), Math.min(c.y() - 2, 52 - c.y()));
-      if (neighbors.isInside(circles.state, i)) {
-        assertThat(wall).isGreaterThan(1);
-        inside++;
-      } else {
-        assertThat(wall).isLessThan(1 + 2 * 2.1);
-      }
-    }
-    assertThat(inside).isGreaterThan(300);
-  }
-
-  /**
-   * Wherever in its cell a wall is touched, it is asked there: also close to where the cell ends,
-   * and so far from the origin that places are hardly finer than a thousandth of a radius.
-   */
-  @ParameterizedTest
-  @CsvSource({"0, 1, 0x1p-11", "0x1p40, 0.25, 0x1p-11"})
-  void whoTouchesAWallIsNotInside(double far, double radius, double step) {
-    for (int k = 0; k * step < 3 * radius; k++) {
-      double right = far + 16 * radius + k * step;
-      SceneBuilder scene = Scene.builder().bounds(far, 0, right, 16 * radius);
-      for (int i = 0; i < 50; i++) {
-        scene.circle(right - radius, 8 * radius, radius, 1, 0);
-      }
-      Scene built = scene.build();
-      CircleTable circles = circles(built);
-      NeighborGrid neighbors = grid(built, circles);
-      assertThat(neighbors.isInside(circles.state, 0)).as("wall at %s", right).isFalse();
-    }
-  }
-
-  @Test
   void cellsHoldWhatWasAddedAndNotRemovedSince() {
     CellGrid cells = new CellGrid(4, 8);
     int[] codes = CircleTable.colliding(3).codes;
@@ -198,25 +142,6 @@ class NeighborGridTest {
     assertThat(around.apply(cells.cell(2, 6))).isEmpty();
   }
 
-  /** Whatever the order in which circles come to a cell and go. */
-  @Test
-  void aListLosesWhoGoes() {
-    Random random = new Random(8);
-    CellGrid cells = new CellGrid(4, 4);
-    int[] codes = CircleTable.colliding(20).codes;
-    Set<Integer> listed = new HashSet<>();
-    for (int k = 0; k < 500; k++) {
-      int i = random.nextInt(20);
-      if (listed.remove(i)) {
-        cells.remove(codes, i, 5);
-      } else {
-        cells.add(codes, i, 5);
-        listed.add(i);
-      }
-      assertThat(around(cells, codes, 5)).containsExactlyInAnyOrderElementsOf(listed);
-    }
-  }
-
   /** The lists that are read ahead are those through which a search goes then. */
   @Test
   void whatIsReadAheadIsWhatIsLookedAt() {
@@ -248,80 +173,11 @@ class NeighborGridTest {
     }
   }
 
-  /** A circle that looks around itself finds all others; itself only where it is not the first. */
-  @Test
-  void theFirstOfAListDoesNotFindItself() {
-    Random random = new Random(6);
-    CellGrid cells = new CellGrid(8, 8);
-    CircleTable circles = CircleTable.colliding(90);
-    int[] codes = circles.codes;
-    int[] places = random.ints(90).toArray();
-    for (int i = 0; i < 90; i++) {
-      cells.add(codes, i, places[i]);
-    }
-    int[] found = new int[100];
-    for (int i = 0; i < 90; i++) {
-      int self = i;
-      List<Integer> others = new ArrayList<>(around(cells, codes, places[i]));
-      int first = cells.first(places[i]);
-      others.removeIf(j -> j == self && j == first);
-      int size = follow(circles, found, cells.others(codes, i, places[i], found));
-      assertThat(Arrays.stream(found, 0, size).boxed()).containsExactlyInAnyOrderElementsOf(others);
-    }
-  }
-
   private static Set<Integer> heads(int[] lists, int from, int to) {
     return Arrays.stream(lists, from, to)
         .filter(i -> i != Index.NONE)
         .boxed()
         .collect(Collectors.toSet());
-  }
-
-  /** Right, left, up, down. */
-  @ParameterizedTest
-  @CsvSource({"3, 0.25", "-3, -0.25", "0.25, 3", "-0.25, -3"})
-  void aWayLeadsIntoTheCellThatIsEnteredNext(double vx, double vy) {
-    Scene scene = Scene.builder().circle(3, 4, 1, vx, vy).circle(-30, -40, 1, 0, 0).build();
-    CircleTable circles = circles(scene);
-    NeighborGrid neighbors = grid(scene, circles, null, 1);
-    int column = neighbors.column(0);
-    int row = neighbors.row(0);
-    double crossing = crossing(neighbors, circles);
-    int way = circles.codes[CircleTable.collidingCodesAt(0) + CircleTable.WAY];
-    assertThat(CellExit.columns(way)).isEqualTo((int) Math.signum((int) vx));
-    assertThat(CellExit.rows(way)).isEqualTo((int) Math.signum((int) vy));
-    neighbors.cross(circles.state, circles.codes, 0, way, new int[11]);
-    assertThat(neighbors.column(0)).isEqualTo(column + CellExit.columns(way));
-    assertThat(neighbors.row(0)).isEqualTo(row + CellExit.rows(way));
-    assertThat(around(neighbors, circles, neighbors.column(0), neighbors.row(0))).contains(0);
-    assertThat(crossing(neighbors, circles)).isGreaterThan(crossing);
-  }
-
-  /** Where a new flight starts, in any direction and far, or in the same cell still. */
-  @Test
-  void whoBeginsANewFlightIsListedWhereThatStarts() {
-    Scene scene = alike(new Random(6), 40);
-    CircleTable circles = circles(scene);
-    NeighborGrid neighbors = grid(scene, circles);
-    Random random = new Random(7);
-    int stayed = 0;
-    for (int k = 0; k < 400; k++) {
-      int i = random.nextInt(40);
-      int a = CircleTable.collidingAt(i);
-      int coordinate = random.nextBoolean() ? FlightRow.X : FlightRow.Y;
-      circles.state[a + coordinate] += random.nextGaussian() * (random.nextInt(4) + 0.1);
-      int before = neighbors.column(i) * 1000 + neighbors.row(i);
-      neighbors.comeBack(circles.state, i);
-      int column = neighbors.column(i);
-      int row = neighbors.row(i);
-      stayed += before == column * 1000 + row ? 1 : 0;
-      neighbors.leave(i);
-      assertThat(around(neighbors, circles, column, row)).as("once").doesNotContain(i);
-      assertThat(neighbors.enter(i, 0)).isTrue();
-      assertThat(neighbors.column(i)).isEqualTo(column);
-      assertThat(neighbors.row(i)).isEqualTo(row);
-    }
-    assertThat(stayed).isBetween(100, 300);
   }
 
   /** Prefetched values end in nothing but a sum. */
@@ -349,12 +205,6 @@ class NeighborGridTest {
     assertThat(circles.codes).isEqualTo(codes);
   }
 
-  private static List<Integer> around(
-      NeighborGrid neighbors, CircleTable circles, int column, int row) {
-    CellGrid cells = neighbors.cells(0);
-    return around(cells, circles.codes, cells.cell(column, row));
-  }
-
   private static List<Integer> around(CellGrid cells, int[] codes, int place) {
     int[] found = new int[60];
     int size = cells.around(place, found, 0);
@@ -371,9 +221,5 @@ class NeighborGridTest {
     int[] found = new int[60];
     int size = lists.around(place, found, 0);
     return Arrays.stream(found, 0, size).boxed().toList();
-  }
-
-  private static double crossing(NeighborGrid neighbors, CircleTable circles) {
-    return neighbors.nextCrossing(circles.state, circles.codes, 0);
   }
 }

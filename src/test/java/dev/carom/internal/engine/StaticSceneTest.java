@@ -60,59 +60,6 @@ class StaticSceneTest {
         .isEqualTo(SweptCircle.pair(-50, 9.5, 1, 1, 0, 0, 0, 10, 0, 0, 100));
   }
 
-  @Test
-  void aRestoredWorldKnowsWhereTheLinesAreThen() {
-    Scene scene = room().circle(10, 50, 5, 1, 0).build();
-    World edited = new World(scene);
-    edited.moveLine(7, 60, 40, 60, 60);
-    World world = new World(scene);
-    Run.step(world, 1);
-    world.restore(edited.snapshot());
-    assertThat(firstImpact(world)).isEqualTo(45);
-    world.restore(new World(scene).snapshot());
-    assertThat(firstImpact(world)).isEqualTo(85);
-  }
-
-  @Test
-  void manyNewLinesAreKnownWithTheNextStep() {
-    World world = new World(room().circle(10, 50, 5, 1, 0).build());
-    Run.step(world, 1);
-    for (int i = 0; i < MANY; i++) {
-      world.addLine(5 * i, 5, 5 * i + 3, 5);
-    }
-    world.addLine(60, 40, 60, 60);
-    assertThat(firstImpact(world)).isEqualTo(45);
-  }
-
-  @Test
-  void aCircleOfAnotherSizeIsAddedToAFew() {
-    World world = new World(room().circle(50, 50, 1, 0, 0).circle(30, 20, 10, 0, 0).build());
-    int id = world.addCircle(10, 50, 4, 1, 0);
-    world.moveLine(7, 60, 40, 60, 60);
-    Run.step(world, 100);
-    assertThat(world.impacts().circle(0)).isEqualTo(id);
-    assertThat(world.impacts().time(0)).isEqualTo(46);
-  }
-
-  @Test
-  void aCircleThatGrowsHitsWhatItWouldHavePassed() {
-    Scene scene = room().circle(10, 50, 1, 1, 0).build();
-    World world = Internals.world(scene, EngineOptions.cells(2));
-    world.moveLine(7, 60, 58, 60, 62);
-    world.setRadius(0, 10);
-    assertThat(firstImpact(world)).isEqualTo(44);
-  }
-
-  @Test
-  void aRestoredCircleHitsByTheRadiusThatItHadThen() {
-    Scene scene = room().line(60, 58, 60, 62).circle(10, 50, 1, 1, 0).build();
-    World grown = Internals.world(scene, EngineOptions.cells(2));
-    grown.setRadius(0, 10);
-    World world = Internals.world(scene, EngineOptions.cells(2));
-    world.restore(grown.snapshot());
-    assertThat(firstImpact(world)).isEqualTo(44);
-  }
-
   /** A new flight would round the place where it begins. */
   @Test
   void aLineThatNoneMeetsChangesNoBit() {
@@ -131,18 +78,6 @@ class StaticSceneTest {
       assertThat(edited.x(i)).isEqualTo(world.x(i));
       assertThat(edited.y(i)).isEqualTo(world.y(i));
     }
-  }
-
-  @Test
-  void whatFlewBeyondTheDoublesHitsNothing() {
-    World world =
-        new World(Scene.builder().line(0, 0, 1, 1).peg(5, 5, 1).circle(9, 9, 1, 1e308, 1).build());
-    Run.step(world, 10);
-    assertThat(world.x(0)).isInfinite();
-    world.addLine(20, 0, 20, 100);
-    Run.step(world, 10);
-    assertThat(world.impacts().size()).isZero();
-    assertThat(world.now()).isEqualTo(20);
   }
 
   /** At the time of an event: before a sensor those of lower codes, before anything else all. */

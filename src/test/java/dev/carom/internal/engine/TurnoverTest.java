@@ -2,11 +2,7 @@
 package dev.carom.internal.engine;
 
 import static dev.carom.ObstacleKind.CIRCLE;
-import static dev.carom.ObstacleKind.LINE;
-import static dev.carom.ObstacleKind.PEG;
-import static dev.carom.ObstacleKind.WALL;
 import static org.assertj.core.api.Assertions.assertThat;
-import static org.assertj.core.api.Assertions.assertThatThrownBy;
 
 import dev.carom.Bounds;
 import dev.carom.Circle;
@@ -24,10 +20,8 @@ import java.util.ArrayDeque;
 import java.util.Deque;
 import java.util.Optional;
 import java.util.Random;
-import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
-import org.junit.jupiter.params.provider.ValueSource;
 
 /**
  * Circles that come and go: those that went cost nothing any more, and nothing else tells of it. A
@@ -140,42 +134,5 @@ class TurnoverTest {
     assertThat(world.vy(id)).isEqualTo(beside.vy(id));
     assertThat(world.mass(id)).isEqualTo(beside.mass(id));
     assertThat(world.response(CIRCLE, id)).isEqualTo(beside.response(CIRCLE, id));
-  }
-
-  @ParameterizedTest
-  @ValueSource(booleans = {false, true})
-  void aRefusalNamesTheCircleAsTheCallerDoes(boolean collide) {
-    begin(collide, 0);
-    go();
-    go();
-    Run.step(world, 1);
-    int id = live.peekLast();
-    for (Runnable edit :
-        new Runnable[] {
-          () -> world.setMass(id, -1),
-          () -> world.setRadius(id, 0),
-          () -> world.setVelocity(id, Double.NaN, 0),
-          () -> world.setPosition(id, Double.NaN, 0),
-          () -> world.setRestitution(CIRCLE, id, -1)
-        }) {
-      assertThatThrownBy(edit::run).hasMessageStartingWith("circle " + id + ": ");
-    }
-    assertThatThrownBy(() -> world.addCircle(0, 0, -1, 0, 0))
-        .hasMessageStartingWith("circle " + world.idLimit(CIRCLE) + ": ");
-    assertThatThrownBy(() -> world.x(0)).hasMessage("circle 0 does not exist: it was removed");
-  }
-
-  @Test
-  void theIdsOfEachKind() {
-    SceneBuilder scene = Scene.builder().bounds(0, 0, 9, 9).line(1, 1, 2, 2).line(3, 3, 4, 4);
-    World here = new World(scene.peg(5, 5, 1).circle(7, 7, 1, 0, 0).circle(2, 7, 1, 0, 0).build());
-    here.remove(CIRCLE, 0);
-    here.remove(LINE, 0);
-    here.remove(PEG, 0);
-    assertThat(here.ids(CIRCLE)).containsExactly(1);
-    assertThat(here.ids(LINE)).containsExactly(1);
-    assertThat(here.ids(PEG)).isEmpty();
-    assertThat(here.ids(WALL)).containsExactly(0, 1, 2, 3);
-    assertThat(new World(Scene.builder().build()).ids(WALL)).isEmpty();
   }
 }

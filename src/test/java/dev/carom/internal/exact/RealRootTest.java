@@ -1,15 +1,19 @@
 // SPDX-License-Identifier: Apache-2.0
 package dev.carom.internal.exact;
 
-import static dev.carom.internal.exact.PolynomialTest.polynomial;
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.within;
 
+import java.util.Arrays;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
 
 class RealRootTest {
+
+  private static Polynomial polynomial(double... c) {
+    return Polynomial.of(Arrays.stream(c).mapToObj(Dyadic::of).toArray(Dyadic[]::new));
+  }
 
   /** The square root of 2. */
   private static RealRoot root2() {

@@ -6,13 +6,9 @@ import static org.assertj.core.api.Assertions.assertThatExceptionOfType;
 import static org.assertj.core.api.Assertions.assertThatThrownBy;
 import static org.junit.jupiter.api.Assumptions.assumeTrue;
 
-import dev.carom.Bounds;
-import dev.carom.Circle;
-import dev.carom.Line;
 import dev.carom.Scene;
 import dev.carom.SceneBuilder;
 import dev.carom.TestScenes;
-import dev.carom.Vec2;
 import java.io.IOException;
 import java.io.StringReader;
 import java.nio.charset.StandardCharsets;
@@ -106,26 +102,6 @@ class SceneFileTest {
                 .build());
   }
 
-  @ParameterizedTest
-  @ValueSource(strings = {"base-1.csv", "base-2.csv", "base-3.csv", "fast-1.csv"})
-  void theCanonicalScenes(String name) throws IOException {
-    Scene scene = TestScenes.read(name);
-    assertThat(scene.lineCount()).isEqualTo(100);
-    assertThat(scene.circleCount()).isEqualTo(100);
-    assertThat(scene.pegCount()).isZero();
-    assertThat(scene.bounds()).contains(new Bounds(0, 0, 800, 600));
-    assertThat(scene.circle(99).radius()).isEqualTo(10);
-    assertThat(written(scene)).isEqualTo(Files.readString(TestScenes.path(name)));
-    assertThat(read(written(scene))).isEqualTo(scene);
-  }
-
-  @Test
-  void theSceneOfManyRadii() throws IOException {
-    Scene scene = TestScenes.read("radii.csv");
-    assertThat(scene.lineCount()).isEqualTo(100);
-    assertThat(read(written(scene))).isEqualTo(scene);
-  }
-
   @Test
   void numbersAtTheEndsOfTheirRange() throws IOException {
     Scene large =
@@ -177,21 +153,6 @@ class SceneFileTest {
         .replaceAll(number -> Double.toHexString(Double.parseDouble(number.group())));
   }
 
-  @Test
-  void theKindsMayBeMixedAndKeepTheirOrder() throws IOException {
-    Scene scene = read("circle,1,2,3,4,5\nline,1,2,3,4\ncircle,6,7,8,9,10\nline,5,6,7,8");
-    assertThat(scene.circle(1)).isEqualTo(new Circle(6, 7, 8));
-    assertThat(scene.line(1)).isEqualTo(new Line(5, 6, 7, 8));
-    assertThat(written(scene))
-        .isEqualTo(
-            """
-            line,1.0,2.0,3.0,4.0
-            line,5.0,6.0,7.0,8.0
-            circle,1.0,2.0,3.0,4.0,5.0
-            circle,6.0,7.0,8.0,9.0,10.0
-            """);
-  }
-
   @ParameterizedTest
   @ValueSource(
       strings = {
@@ -216,25 +177,6 @@ class SceneFileTest {
   }
 
   @Test
-  void aMassOfOneIsNotWritten() throws IOException {
-    assertThat(written(read("circle,1,2,3,4,5,1"))).isEqualTo("circle,1.0,2.0,3.0,4.0,5.0\n");
-    assertThat(written(read("circle,1,2,3,4,5,2,restitution=1")))
-        .isEqualTo("circle,1.0,2.0,3.0,4.0,5.0,2.0\n");
-  }
-
-  @Test
-  void circlesThatCollideAndTheirMassesReadBack() throws IOException {
-    SceneBuilder setup = Scene.builder().circle(1, 2, 3, 4, 5).mass(1.0 / 3);
-    Scene scene = setup.circle(10, 2, 3, 4, 5).mass(Double.POSITIVE_INFINITY).collide(true).build();
-    assertThat(written(scene))
-        .contains("collide,1\n", "circle,1.0,2.0,3.0,4.0,5.0,0.3333333333333333\n");
-    assertThat(read(written(scene))).isEqualTo(scene);
-    assertThat(read(written(scene)).collide()).isTrue();
-    assertThat(read("circle,1,2,3,4,5\ncollide,1\ncircle,11,2,3,4,5").collide()).isTrue();
-    assertThat(read("collide,0\ncircle,1,2,3,4,5").collide()).isFalse();
-  }
-
-  @Test
   void gravityReadsBackWhereverItsRowStands() throws IOException {
     Scene scene =
         Scene.builder().gravity(0.1, -1.0 / 3).collide(true).circle(1, 2, 3, 4, 5).build();
@@ -251,16 +193,6 @@ class SceneFileTest {
   }
 
   @Test
-  void noGravityIsNotWritten() throws IOException {
-    for (String zero : new String[] {"gravity,0,0", "gravity,-0.0,0", "gravity,1e-999,-0x0p0"}) {
-      Scene scene = read(zero);
-      assertThat(scene).isEqualTo(Scene.builder().build());
-      assertThat(written(scene)).isEmpty();
-    }
-    assertThat(written(read("gravity,-0,2"))).isEqualTo("gravity,0.0,2.0\n");
-  }
-
-  @Test
   void anyBitsOfGravityReadBack() throws IOException {
     SplittableRandom random = new SplittableRandom(2);
     for (int i = 0; i < 1000; i++) {
@@ -268,13 +200,6 @@ class SceneFileTest {
       assertThat(read(written(scene))).isEqualTo(scene);
       assertThat(read(hex(written(scene)))).isEqualTo(scene);
     }
-  }
-
-  @Test
-  void manyRows() throws IOException {
-    Scene scene = read("circle,1,2,3,4,5\n".repeat(100_000));
-    assertThat(scene.circleCount()).isEqualTo(100_000);
-    assertThat(scene.velocity(99_999)).isEqualTo(new Vec2(4, 5));
   }
 
   @Test

@@ -10,20 +10,6 @@ import org.junit.jupiter.api.Test;
 
 class CircleRegistryTest {
 
-  @Test
-  void aMassIsThatOfOneWorldOnly() {
-    Scene scene = Scene.builder().circle(0, 0, 1, 0, 0).circle(9, 0, 1, 0, 0).build();
-    CircleRegistry registry = new CircleRegistry(Internals.data(scene), 1);
-    CircleRegistry other = new CircleRegistry(Internals.data(scene), 1);
-    registry.setMass(1, 5);
-    registry.setMass(0, 3);
-    assertThat(registry.mass(0)).isEqualTo(3);
-    assertThat(registry.mass(1)).isEqualTo(5);
-    assertThat(other.mass(0)).isOne();
-    assertThat(scene.mass(0)).isOne();
-    assertThat(scene.mass(1)).isOne();
-  }
-
   /** The list of live slots does not grow with the circles that were ever there. */
   @Test
   void whoIsGoneIsNotAmongWhomToAsk() {
@@ -79,30 +65,6 @@ class CircleRegistryTest {
   }
 
   @Test
-  void theNextOneGetsTheNextId() {
-    CircleRegistry registry = without(2, 9);
-    registry.set(registry);
-    for (int id = 10; id < 40; id++) {
-      int slot = registry.add();
-      assertThat(slot).isEqualTo(id - 2);
-      assertThat(registry.id(slot)).isEqualTo(id);
-      assertThat(registry.slot(id)).isEqualTo(slot);
-      assertThat(registry.idLimit()).isEqualTo(id + 1);
-    }
-    registry.remove(registry.slot(12));
-    assertThat(registry.slot(12)).isNegative();
-    assertThat(registry.slot(13)).isEqualTo(11);
-  }
-
-  @Test
-  void oneThatHasLostItsLastOneKnowsWhichIdIsNext() {
-    CircleRegistry registry = without(9);
-    registry.set(registry);
-    assertThat(registry.slot(9)).isNegative();
-    assertThat(registry.id(registry.add())).isEqualTo(10);
-  }
-
-  @Test
   void aFewThatAreGoneAreNoBurden() {
     CircleRegistry registry = without();
     int gone = 0;
@@ -113,17 +75,6 @@ class CircleRegistryTest {
     assertThat(gone).isEqualTo(10 + 1024 + 1);
     registry.set(registry);
     assertThat(registry.isSparse()).isFalse();
-  }
-
-  @Test
-  void theLastOneThatIsThereUpToASlot() {
-    CircleRegistry registry = without(0, 1, 4);
-    assertThat(registry.lastId(-1)).isNegative();
-    assertThat(registry.lastId(1)).isNegative();
-    assertThat(registry.lastId(2)).isEqualTo(2);
-    assertThat(registry.lastId(4)).isEqualTo(3);
-    registry.set(registry);
-    assertThat(registry.lastId(2)).isEqualTo(5);
   }
 
   private static MovingCircle knowing(int last, IgnoreList jam) {

@@ -10,28 +10,6 @@ class HistoryTest {
 
   private static final CircleProperties PROPERTIES = new CircleProperties(1, 1, 0, 0, false);
 
-  /** One more value in each unit of time, of which the last ten are kept. */
-  private static Changes<Integer> changes(int end) {
-    Changes<Integer> changes = new Changes<>();
-    for (int i = 0; i < end; i++) {
-      changes.set(i, i, i - 10);
-    }
-    return changes;
-  }
-
-  @Test
-  void aValueHoldsUntilTheNextOne() {
-    Changes<Integer> changes = changes(1000);
-    for (int t = 990; t < 1000; t++) {
-      assertThat(changes.at(t)).isEqualTo(t);
-      assertThat(changes.at(Math.nextUp(t - 1.0))).isEqualTo(t - 1);
-      assertThat(changes.at(t + 0.5)).isEqualTo(t);
-    }
-    assertThat(changes.at(1e9)).isEqualTo(999);
-    assertThat(changes.last()).isEqualTo(999);
-    assertThat(changes.since()).isEqualTo(999);
-  }
-
   @Test
   void nothingHoldsBeforeTheFirstValue() {
     Changes<Integer> changes = new Changes<>();
@@ -41,61 +19,6 @@ class HistoryTest {
     assertThat(changes.isEmpty()).isFalse();
     assertThat(changes.at(Math.nextDown(5.0))).isNull();
     assertThat(changes.at(5)).isEqualTo(50);
-  }
-
-  @Test
-  void anotherValueFromTheSameTimeReplacesTheFirst() {
-    Changes<Integer> changes = changes(4);
-    changes.set(3, 30, 0);
-    changes.set(4, 40, 0);
-    assertThat(changes.at(3)).isEqualTo(30);
-    assertThat(changes.at(4)).isEqualTo(40);
-    assertThat(changes.room()).isEqualTo(8);
-    for (int i = 5; i < 8; i++) {
-      changes.set(i, i, 0);
-    }
-    assertThat(changes.room()).as("eight values").isEqualTo(8);
-  }
-
-  /** Eleven are needed at the most: there is room for the next power of two, doubled once. */
-  @Test
-  void theRoomIsThatOfTheTimeThatIsKept() {
-    assertThat(changes(16).room()).isEqualTo(16);
-    assertThat(changes(1000).room()).isEqualTo(changes(1_000_000).room()).isBetween(16, 32);
-    assertThat(changes(1000).start()).isBetween(960.0, 989.0);
-  }
-
-  private static FlightHistory flights(int end) {
-    FlightHistory history = new FlightHistory();
-    MovingCircle m = new MovingCircle();
-    for (int i = 0; i < end; i++) {
-      m.start(0, 2 * i, 0, 1, 2, 0, 1);
-      m.gy = i % 2; // so that all rows have the columns of gravity, too
-      m.t = i;
-      history.add(m, i, PROPERTIES, i - 10);
-    }
-    return history;
-  }
-
-  @Test
-  void flightsAreDroppedLikewise() {
-    FlightHistory history = flights(1001);
-    assertThat(history.room()).isBetween(16, 32);
-    for (int t = 991; t <= 1000; t++) {
-      assertThat(history.x(t + 0.25, null)).isEqualTo(2 * t + 0.5);
-      assertThat(history.rows.gy(history.find(t))).isEqualTo(t % 2);
-    }
-  }
-
-  @Test
-  void anEndedHistoryHasNoRoomLeft() {
-    FlightHistory history = flights(100);
-    double start = history.start();
-    history.end(100);
-    assertThat(history.room()).isEqualTo((int) (100 - start));
-    assertThat(history.start()).isEqualTo(start);
-    assertThat(history.end()).isEqualTo(100);
-    assertThat(history.x(95.5, null)).isEqualTo(191);
   }
 
   @Test

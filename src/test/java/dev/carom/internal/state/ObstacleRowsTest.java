@@ -27,22 +27,6 @@ class ObstacleRowsTest {
     return rows;
   }
 
-  private static double[] row(ObstacleRows rows, int i) {
-    return rows.row(rows.first() + i);
-  }
-
-  @ParameterizedTest
-  @ValueSource(ints = {Kind.LINE, Kind.PEG})
-  void whatIsAddedIsElasticAndHasTheNextCode(int kind) {
-    ObstacleRows rows = rows(kind, 20);
-    for (int i = 0; i < 20; i++) {
-      assertThat(row(rows, i)).startsWith(numbers(kind, 10 * i)).endsWith(1);
-      assertThat(rows.traits(rows.first() + i)).isZero();
-    }
-    assertThat(rows.count()).isEqualTo(20);
-    assertThat(rows.end).isEqualTo(Codes.of(kind, 20));
-  }
-
   @ParameterizedTest
   @ValueSource(ints = {Kind.LINE, Kind.PEG})
   void aCopyStaysAsItIsWhateverIsChanged(int kind) {
@@ -59,24 +43,5 @@ class ObstacleRowsTest {
     assertThat(copy.restitution(code)).isEqualTo(0.5);
     assertThat(copy.sensors()).isEqualTo(1);
     assertThat(copy.isGone(copy.first())).isTrue();
-  }
-
-  @ParameterizedTest
-  @ValueSource(ints = {Kind.LINE, Kind.PEG})
-  void aRemovedObstacleLeavesNothing(int kind) {
-    ObstacleRows rows = rows(kind, 5);
-    rows.setTraits(rows.first() + 1, SENSOR);
-    rows.setTraits(rows.first() + 2, SENSOR);
-    rows.remove(rows.first() + 1);
-    assertThat(rows.sensors()).isEqualTo(1);
-    assertThat(rows.isGone(rows.first() + 1)).isTrue();
-    assertThat(rows.isGone(rows.first() + 2)).isFalse();
-    assertThat(rows.present().count()).isEqualTo(4);
-    assertThat(rows.extent(rows.first() + 1)).isZero();
-    ObstacleRows other = rows(kind, 5);
-    other.remove(other.first() + 1);
-    assertThat(rows).isNotEqualTo(other);
-    other.setTraits(other.first() + 2, SENSOR);
-    assertThat(rows).isEqualTo(other);
   }
 }

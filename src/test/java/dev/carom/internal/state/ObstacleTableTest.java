@@ -3,9 +3,7 @@ package dev.carom.internal.state;
 
 import static org.assertj.core.api.Assertions.assertThat;
 
-import dev.carom.Circle;
 import dev.carom.Internals;
-import dev.carom.Line;
 import dev.carom.Scene;
 import dev.carom.SceneBuilder;
 import dev.carom.internal.response.ScaledVectors;
@@ -104,39 +102,12 @@ class ObstacleTableTest {
     assertThat(obstacles.size()).isLessThan(100);
   }
 
-  @Test
-  void otherLinesHaveAnotherHashCode() {
-    ObstacleTable moved = obstacles();
-    moved.move(Codes.line(0), new double[] {7, 2, 3, 4}, 0);
-    assertThat(moved).doesNotHaveSameHashCodeAs(obstacles());
-  }
-
-  /** An added line leaves room for others behind it, a read one does not. */
-  @Test
-  void equalOnesHaveOneHashCodeWhateverTheirRoom() {
-    ObstacleTable grown =
-        ObstacleTable.of(Internals.data(Scene.builder().line(1, 2, 3, 4).build()));
-    grown.add(Kind.LINE, 2, 3, 4, 5);
-    ObstacleTable read =
-        ObstacleTable.of(Internals.data(Scene.builder().line(1, 2, 3, 4).line(2, 3, 4, 5).build()));
-    assertThat(grown).isEqualTo(read).hasSameHashCodeAs(read);
-  }
-
   /** The second product is rounded by 2^-60, and the first takes away all but that. */
   @Test
   void sumsOfProductsKeepWhatRoundingLeaves() {
     double x = 1 + 0x1p-30;
     assertThat(ScaledVectors.dot(-(1 + 0x1p-29), x, 1, x)).isEqualTo(0x1p-60);
     assertThat(ScaledVectors.dot(3, 5, 7, -2)).isEqualTo(11);
-  }
-
-  @Test
-  void whatIsAddedIsWhereItWasPut() {
-    ObstacleTable more = obstacles();
-    assertThat(Internals.record(more, more.add(Kind.PEG, 3, 4, 2))).isEqualTo(new Circle(3, 4, 2));
-    assertThat(Internals.record(more, more.add(Kind.LINE, 3, 4, 2, 1)))
-        .isEqualTo(new Line(3, 4, 2, 1));
-    assertThat(more.size()).isEqualTo(6);
   }
 
   /** Both ends of a line count; of a peg, its centre. */

@@ -29,31 +29,6 @@ class ParabolaReturnTest {
         .isEqualTo(NEVER);
   }
 
-  @Test
-  void withoutNormalSpeedTheAccelerationDecides() {
-    assertThat(FallReturn.toWall(0, -2, 1, 9)).isZero();
-    assertThat(FallReturn.toWall(-1e-300, -2, 1, 9)).isZero();
-    assertThat(FallReturn.toWall(0, 2, 1, 9)).isEqualTo(NEVER);
-    assertThat(FallReturn.toWall(5, 0, 1, 9)).isEqualTo(NEVER);
-    assertThat(Falls.returnToSide(1, 1, 0, 0, -2, 0, 0, 10, 0, 0, 0, 9)).isZero();
-    assertThat(Falls.returnToSide(1, 1, -1e-300, 0, -2, 0, 0, 10, 0, 0, 0, 9)).isZero();
-    assertThat(Falls.returnToSide(1, 1, 1, 3, 0, 0, 0, 10, 0, 0, 0, 9)).isEqualTo(NEVER);
-    assertThat(Falls.returnToDisk(0, 1, 0, 0, 0, -2, 0, 0, 0, 0, 9)).isZero();
-    assertThat(Falls.returnToDisk(0, 1, 0, -1e-300, 0, -2, 0, 0, 0, 0, 9)).isZero();
-    assertThat(Falls.returnToDisk(0, 1, 2, 0, 0, -2, 0, 0, 0, 0, 9)).isEqualTo(NEVER);
-    assertThat(Falls.returnToDisk(0, -1, 0, 0, 0, -2, 0, 0, 0, 0, 9)).isEqualTo(NEVER);
-  }
-
-  /** It passes over the peg and falls past it, or comes down on it, whatever the rounded place. */
-  @Test
-  void thePlaceAtTheStartIsTheDistanceToComeBackTo() {
-    double near = Falls.returnToDisk(0, 1, 0.1, 3, 0, -2, 0, 0, 0, 0, NEVER);
-    double off = Falls.returnToDisk(0, Math.nextUp(1.0), 0.1, 3, 0, -2, 0, 0, 0, 0, NEVER);
-    assertThat(near).isBetween(3.0, 3.1);
-    assertThat(off).isBetween(near - 1e-14, near + 1e-14);
-    assertThat(Falls.returnToDisk(0, 1, 9, 3, 0, -2, 0, 0, 0, 0, NEVER)).isEqualTo(NEVER);
-  }
-
   /** A disk of radius 1 on or near a line from (0, 0) to (10, 0), with an acceleration of -2. */
   private static double toFloor(double x, double y, double vx, double vy, double T) {
     return Falls.returnToLine(x, y, 1, vx, vy, 0, -2, 0, 0, 10, 0, 0, 0, T);
@@ -76,80 +51,6 @@ class ParabolaReturnTest {
     // Exactly over the end when it is back.
     assertThat(toFloor(7, 1, 1, 3, NEVER)).isEqualTo(3);
     assertThat(contact(7, 1, 1, 3, 3)).isEqualTo(Contact.END);
-  }
-
-  @Test
-  void aBounceOnAnEndComesBackToItOrOntoTheSide() {
-    assertThat(toFloor(10, 1, 0, 3, NEVER)).isEqualTo(3);
-    assertThat(contact(10, 1, 0, 3, 3)).isEqualTo(Contact.END);
-    assertThat(toFloor(0, 1, 1, 3, NEVER)).isEqualTo(3);
-    assertThat(contact(0, 1, 1, 3, 3)).isEqualTo(Contact.LEFT);
-    assertThat(toFloor(-0.6, 0.8, 1, 3, NEVER)).isBetween(2.8, 3.0);
-    assertThat(toFloor(0, 1, 4, 3, NEVER)).isEqualTo(NEVER); // right over the line
-    assertThat(toFloor(-1, 0, -1, 0, NEVER)).isEqualTo(NEVER);
-  }
-
-  @Test
-  void withoutNormalSpeedALineSupports() {
-    assertThat(toFloor(5, 1, 2, 0, 9)).isZero();
-    assertThat(contact(5, 1, 2, 0, 0)).isEqualTo(Contact.LEFT | Contact.NOW);
-    assertThat(toFloor(5, 1, 2, -1e-300, 9)).isZero();
-    assertThat(toFloor(10, 1, 0, 0, 9)).isZero();
-    assertThat(contact(10, 1, 0, 0, 0)).isEqualTo(Contact.END | Contact.NOW);
-    assertThat(toFloor(10, 1, 2, 0, 9)).isEqualTo(NEVER); // too fast for the curve of the end
-    assertThat(toFloor(5, -1, 2, 0, 9)).isEqualTo(NEVER);
-  }
-
-  /**
-   * Rounded to beyond the start of the line and into it, with a hop too low for its gap to show.
-   */
-  @Test
-  void noHopBelowRoundingFallsThroughALine() {
-    double y = Math.nextDown(1.0);
-    for (double up : new double[] {0, 1e-300, 1e-20, 1e-12, 1e-9}) {
-      double t = toFloor(-1e-20, y, 1, up, NEVER);
-      assertThat(t).as("hop with %s", up).isLessThan(1e-8);
-      double over = toFloor(5, y, 1, up, NEVER);
-      assertThat(over).isEqualTo(up);
-    }
-  }
-
-  /** The velocity and the acceleration are both along the line, but for a 1e-12th. */
-  @Test
-  void aReturnIsRoundedCorrectlyWhereBothProductsCancel() {
-    double time =
-        Falls.returnToSide(
-            1,
-            0x1.37aa731f746bbp-1,
-            -0x1.751b08fb0b919p3,
-            0x1.b7e60bef8073cp-2,
-            -0x1.074f11f1e865fp3,
-            -0x1.300cc9e7387e7p6,
-            0x1.02b1ab58eb8bbp6,
-            -0x1.30274185da9a4p6,
-            0x1.04aca093b2a96p6,
-            0x1.bc043a1e7c8ep-26,
-            0x1.dd1aa2afbd87bp-18,
-            NEVER);
-    assertThat(time).isEqualTo(0.005506587360528489);
-  }
-
-  /** A point that falls through the end that it touches has no speed towards it, as it counts. */
-  @Test
-  void aPointDoesNotHitTheEndThatItTouches() {
-    assertThat(Falls.returnToLine(0, 5, 0, 0, -1, 0, -2, 0, 0, 10, 0, 0, 0, NEVER)).isZero();
-    assertThat(Falls.returnToLine(0, 5, 0, 0, -10, 0, 2, 0, 0, 10, 0, 0, 0, NEVER))
-        .isEqualTo(NEVER);
-  }
-
-  /** Seen from a line that moves, only the difference of the velocities counts. */
-  @Test
-  void theLineMayMove() {
-    assertThat(Falls.returnToLine(5, 1, 1, 3, 7, 0, -2, 0, 0, 10, 0, 2, 4, NEVER)).isEqualTo(3);
-    assertThat(Falls.returnToSide(1, 3, 7, 0, -2, 0, 0, 10, 0, 2, 4, NEVER)).isEqualTo(3);
-    assertThat(Falls.returnToLine(0, 1, 1, 0, 7, 0, -2, 0, 0, 0, 0, 0, 4, NEVER)).isEqualTo(3);
-    assertThat(Falls.returnToLine(5, 1, 1, 0, 4, 0, -2, 0, 0, 10, 0, 0, 4, NEVER)).isZero();
-    assertThat(Falls.returnToLine(5, 1, 1, 0, 4, 0, 0, 0, 0, 10, 0, 0, 5, 9)).isEqualTo(NEVER);
   }
 
   @Test

@@ -4,20 +4,10 @@ package dev.carom.internal.sweep;
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.within;
 
-import dev.carom.SweptCircle;
 import dev.carom.internal.exact.PrecisionCounter;
 import dev.carom.internal.exact.UnitVector;
-import dev.carom.oracle.Draw;
-import dev.carom.oracle.PairQuery;
-import dev.carom.oracle.ParabolaFamilies;
-import dev.carom.oracle.ParabolaFamily;
-import dev.carom.oracle.ParabolaQuery;
-import dev.carom.oracle.SegmentQuery;
-import dev.carom.oracle.WallQuery;
 import java.util.Arrays;
-import java.util.Locale;
 import java.util.SplittableRandom;
-import java.util.StringJoiner;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.condition.EnabledIfSystemProperty;
 
@@ -296,56 +286,6 @@ class ParabolaSweepTest {
     assertThat(PrecisionCounter.EXACT_PARABOLAS.count() - before).isLessThanOrEqualTo(2);
   }
 
-  @Test
-  void contactKnowsTheRegionWhereDoublesAreInDoubt() {
-    // Falls beside the end by nothing: the centre is on its perpendicular.
-    assertThat(Falls.contact(0, 9, 1, 0, 0, 0, -4, 0, 0, 10, 0, 0, 0, 2))
-        .isEqualTo(Contact.START);
-    assertThat(Falls.contact(10, 9, 1, 0, 0, 0, -4, 0, 0, 10, 0, 0, 0, 2))
-        .isEqualTo(Contact.END);
-    assertThat(Falls.contact(0x1p-60, 9, 1, 0, 0, 0, -4, 0, 0, 10, 0, 0, 0, 2))
-        .isEqualTo(Contact.LEFT);
-    assertThat(Falls.contact(5, -9, 1, 0, 0, 0, 4, 0, 0, 10, 0, 0, 0, 2))
-        .isEqualTo(Contact.RIGHT);
-    assertThat(Falls.contact(5, 1, 1, 0, -1, 0, 4, 0, 0, 10, 0, 0, 0, 0))
-        .isEqualTo(Contact.LEFT | Contact.NOW);
-  }
-
-  /** 8 - 6 t - 2 t^2 beside a line that rises with 6 and goes aside with 5. */
-  @Test
-  void aLineMayMove() {
-    assertThat(Falls.timeOfLine(5, 9, 1, 0, 0, 0, -4, 0, 0, 10, 0, 0, 6, NEVER))
-        .isEqualTo(1);
-    assertThat(Falls.contact(5, 9, 1, 0, 0, 0, -4, 0, 0, 10, 0, 5, 6, 1))
-        .isEqualTo(Contact.START);
-    Hit hit = Falls.hitOfLine(5, 9, 1, 0, 0, 0, -4, 0, 0, 10, 0, 1, 6, Contact.LEFT, 1);
-    assertThat(new double[] {hit.x(), hit.y(), hit.ny()}).containsExactly(5, 6, 1);
-    assertThat(hit.approachSpeed()).isEqualTo(10);
-    assertThat(Falls.timeOfLine(5, 9, 1, 0, 0, 0, -4, 0, 0, 0, 0, 5, 6, NEVER))
-        .isEqualTo(1);
-  }
-
-  @Test
-  void exactNumbersKnowTheLineOfNoLength() {
-    assertThat(FallSweep.exact(Falls.line(0, 9, 1, 0, 0, 0, -4, 0, 0, 0, 0, 0, 0)).time(NEVER))
-        .isEqualTo(2);
-    assertThat(Falls.timeOfLine(0, 9, 1, 0, 0, 0, -4, 0, 0, 0, 0, 0, 0, NEVER))
-        .isEqualTo(2);
-    assertThat(Falls.contact(0, 9, 1, 0, 0, 0, -4, 0, 0, 0, 0, 0, 0, 2))
-        .isEqualTo(Contact.START);
-  }
-
-  /** The square of the acceleration overflows. */
-  @Test
-  void coefficientsThatOverflowGoToExactNumbers() {
-    double time =
-        Falls.timeOfDisk(
-            -0x1.27f1c8b2c0d1dp7, 0x1.45b7f755df968p10, 0x1.bp7, 0x1.1c722cb03473ap301,
-            0x1.10115440d2f73p301, 0x1.c6e9a7e5c62d6p593, -0x1.0115440d2f731p596, 0, 0x1.b98p9,
-            0x1.69p8, 0, 0, 0x1.93e5939a08ceap-199);
-    assertThat(time).isEqualTo(1.2832970836562791E-89);
-  }
-
   /**
    * A disk with an acceleration of -10 against a line, in contact at the start within rounding, in
    * the order of the sweep without the velocity of the line; at last the window and the true time.
@@ -407,43 +347,6 @@ class ParabolaSweepTest {
     assertThat(PrecisionCounter.EXACT_PARABOLAS.count()).isEqualTo(before);
   }
 
-  /** Prints how many questions of each family exact numbers answered. */
-  @Test
-  void theFamiliesAskExactNumbersAsOftenAsTheyAreMeantTo() {
-    StringJoiner table = new StringJoiner("\n", "\n", "\n").add("family  questions  exact");
-    long exactUniform = 0;
-    long exactGraze = 0;
-    for (ParabolaFamily family : ParabolaFamilies.all()) {
-      long asked = PrecisionCounter.PARABOLAS.count();
-      long exact = PrecisionCounter.EXACT_PARABOLAS.count();
-      Draw draw = new Draw(family.name().hashCode());
-      for (int i = 0; i < 50; i++) {
-        ask(family.next(draw));
-      }
-      long questions = PrecisionCounter.PARABOLAS.count() - asked;
-      long answers = PrecisionCounter.EXACT_PARABOLAS.count() - exact;
-      table.add(String.format(Locale.ROOT, "%-24s %6d %6d", family.name(), questions, answers));
-      exactUniform += family.name().endsWith("uniform") ? answers : 0;
-      exactGraze += family.name().equals("graze") ? answers : 0;
-    }
-    System.out.println(table);
-    assertThat(exactUniform).isZero(); // of 50 + 50 + up to 200
-    assertThat(exactGraze).isBetween(1L, 15L); // of 50: those at times that are no doubles
-  }
-
-  private static void ask(ParabolaQuery query) {
-    double[] n = query.straight().numbers();
-    double gx = query.gx();
-    double gy = query.gy();
-    if (query.straight() instanceof SegmentQuery) {
-      SweptCircle.line(n[4], n[5], n[6], n[7], n[8], gx, gy, n[0], n[1], n[2], n[3], n[9]);
-    } else if (query.straight() instanceof PairQuery) {
-      SweptCircle.pair(n[0], n[1], n[2], n[3], n[4], gx, gy, n[5], n[6], n[7], n[8], n[9], n[10]);
-    } else if (query.straight() instanceof WallQuery) {
-      SweptCircle.bounds(n[0], n[1], n[2], n[3], n[4], gx, gy, n[5], n[6], n[7], n[8], n[9]);
-    }
-  }
-
   /** It falls past a disk or a point at exactly the distance at which it would graze it. */
   @Test
   void fallsPastATangentNeedNoExactNumbers() {
@@ -461,40 +364,4 @@ class ParabolaSweepTest {
     assertThat(PrecisionCounter.EXACT_PARABOLAS.count()).isEqualTo(before);
   }
 
-  /** What would be a graze for a disk is a hit for a point: it passes through the other. */
-  @Test
-  void aPointFallsOnAPoint() {
-    for (int i = 0; i < QUERIES / 10; i++) {
-      double y = random.nextInt(1, 1 << 20);
-      double up = random.nextInt(-1 << 10, 1 << 10);
-      double g = random.nextInt(1, 1 << 10);
-      double fall = (up + Math.sqrt(up * up + 2 * g * y)) / g;
-      assertThat(Falls.timeOfDisk(3, y, 0, 0, up, 0, -g, 3, 0, 0, 0, 0, NEVER))
-          .isCloseTo(fall, within(1e-14 * fall));
-      assertThat(Falls.timeOfLine(3, y, 0, 0, up, 0, -g, 3, 0, 3, 0, 0, 0, NEVER))
-          .isCloseTo(fall, within(1e-14 * fall));
-    }
-  }
-
-  /** The square of such a length underflows, and that of the radius makes it count again. */
-  @Test
-  void aHugeDiskHitsATinyLine() {
-    double r = 0x1.5p360;
-    double px = -0x1.92a3b851398a1p358;
-    double py = 0x1.b4f8111ba7592p361;
-    double vx = 0x1.2dfaca3ceb279p361;
-    double vy = -0x1.177419a97b05cp363;
-    double gx = -0x1.c4f82f5b60bb6p362;
-    double gy = 0x1.d25c4cfc71114p363;
-    double length = 0x1.1a83bf6b20528p-586;
-    double time = 0.33333333333333326;
-    assertThat(
-            Falls.timeOfLine(
-                px, py, r, vx, vy, gx, gy, length, 0, 0, 0, 0, 0, Double.POSITIVE_INFINITY))
-        .isEqualTo(time);
-    assertThat(
-            Falls.timeOfLineAfter(
-                px, py, r, vx, vy, gx, gy, length, 0, 0, 0, 0, 0, -1, Double.POSITIVE_INFINITY))
-        .isEqualTo(time);
-  }
 }
