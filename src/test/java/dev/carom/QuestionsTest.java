@@ -247,7 +247,7 @@ class QuestionsTest {
       Random random = new Random(seed);
       Scene scene = scene(random, unit, false, seed % 2 == 0);
       Resolver resolver = scene.resolver();
-      for (int i = 0; i < 300; i++) {
+      for (int i = 0; i < 100 + 6 * QUESTIONS; i++) {
         double x = place(random, unit);
         double y = place(random, unit);
         Circle disk = new Circle(x, y, i % 3 == 0 ? 0 : radius(random, unit));

@@ -101,7 +101,7 @@ public final class Dyadic implements Ring<Dyadic> {
 
   /** The square root of a number at or above zero, rounded down, to at least {@code bits} bits. */
   Dyadic sqrt(int bits) {
-    int shift = Math.max(0, 2 * bits - m.bitLength());
+    int shift = 2 * bits - m.bitLength(); // what is beyond so many bits is left out
     if ((e - shift & 1) != 0) {
       shift++;
     }

@@ -33,5 +33,7 @@ class ExactBudgetTest {
     Dyadic three = Dyadic.of(3);
     assertThat(impacts(() -> Dyadic.of(1).over(three, bits))).isGreaterThanOrEqualTo(32);
     assertThat(impacts(() -> three.sqrt(bits))).isGreaterThanOrEqualTo(4 * 32);
+    Dyadic third = Dyadic.of(1).over(three, bits);
+    assertThat(impacts(() -> third.sqrt(128))).as("a short root of a long number").isOne();
   }
 }
