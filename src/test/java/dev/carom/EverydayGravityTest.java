@@ -5,13 +5,11 @@ import static dev.carom.Falling.overlap;
 import static dev.carom.Falling.rows;
 import static org.assertj.core.api.Assertions.assertThat;
 
-import java.util.Random;
 import java.util.stream.DoubleStream;
 import java.util.stream.Stream;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.Arguments;
 import org.junit.jupiter.params.provider.MethodSource;
-import org.junit.jupiter.params.provider.ValueSource;
 
 /** Everyday scenes: no call is unfinished, nothing falls through, and what can rest does. */
 class EverydayGravityTest {
@@ -62,61 +60,6 @@ class EverydayGravityTest {
     }
   }
 
-  /** Fifty balls; those that come to no rest between a peg and a wall fall out below. */
-  @ParameterizedTest
-  @ValueSource(doubles = {0, 0.5, 0.9})
-  void plinko(double e) {
-    SceneBuilder builder = open().collide(true).line(0, -2, 0, 99).line(40, -2, 40, 99);
-    for (int row = 0; row < 14; row++) {
-      for (int i = 0; i < 14 + row % 2; i++) {
-        builder.peg((i + (row % 2 == 0 ? 1 : 0.5)) * 40 / 15, 4 + row * 2.6, 0.3);
-      }
-    }
-    Random random = new Random(1);
-    for (int i = 0; i < 50; i++) {
-      double x = 2 + 4 * (i % 10) + 0.4 * random.nextDouble();
-      int row = i / 10;
-      builder.circle(x, 45 + 2.5 * row, 0.5, 0, 0).restitution(e);
-    }
-    World world = new World(builder.build());
-    int rows = 0;
-    int frames = 0;
-    while (!isOver(world) && frames < 4_000) {
-      assertThat(world.step(FRAME)).as("at %s", world.now()).isTrue();
-      assertThat(overlap(world)).isLessThan(ROUNDING);
-      rows += world.impacts().size();
-      frames++;
-    }
-    assertThat(isOver(world)).isTrue();
-    assertThat(rows).isLessThan(50 * frames / 2);
-  }
-
-  private static boolean isOver(World world) {
-    for (int i = 0; i < world.circleCount(); i++) {
-      if (world.y(i) > -3 && !world.isResting(i)) {
-        return false;
-      }
-    }
-    return true;
-  }
-
-  /** Each ball lies as high above the floor as the hops below it could lift. */
-  @ParameterizedTest
-  @ValueSource(doubles = {0, 0.5, 0.9})
-  void aColumnOfTenStands(double e) {
-    SceneBuilder builder = open().bounds(0, 0, 40, 100).collide(true);
-    for (int i = 0; i < 10; i++) {
-      builder.circle(20, 2 + 3 * i, 1, 0, 0).restitution(e);
-    }
-    World world = new World(builder.build());
-    assertThat(unfinishedCalls(world, 20)).isZero();
-    for (int i = 0; i < 10; i++) {
-      assertThat(world.y(i)).isBetween(2 * i + 1 - ROUNDING, 2 * i + 1 + 0.02);
-    }
-    assertThat(resting(world)).isEqualTo(10);
-    assertThat(rows(world, 1e5)).isZero();
-  }
-
   /** Plays frame by frame; returns how many calls were unfinished. */
   private static int unfinishedCalls(World world, double until) {
     int unfinished = 0;
@@ -125,13 +68,5 @@ class EverydayGravityTest {
       assertThat(overlap(world)).as("at %s", world.now()).isLessThan(ROUNDING);
     }
     return unfinished;
-  }
-
-  private static int resting(World world) {
-    int resting = 0;
-    for (int i = 0; i < world.circleCount(); i++) {
-      resting += world.isResting(i) ? 1 : 0;
-    }
-    return resting;
   }
 }

@@ -4,7 +4,6 @@ package dev.carom;
 import static org.assertj.core.api.Assertions.assertThat;
 
 import java.util.HashSet;
-import java.util.Random;
 import java.util.Set;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
@@ -85,63 +84,6 @@ class LiftTest {
     World world = new World(scene.build());
     play(world, 3);
     assertStacked(world, balls, 3);
-  }
-
-  /** A piston sweeps a row of balls along a floor. */
-  @ParameterizedTest
-  @CsvSource({"2, 0, 1", "3, 0.3, 1", "5, 0.6, 2"})
-  void aPistonPushesARow(int balls, double e, double speed) {
-    SceneBuilder scene = Scene.builder().gravity(0, -10).collide(true);
-    scene.bounds(0, 0, 100, 100).restitution(e).line(0, 0, 0, 3).restitution(e).velocity(speed, 0);
-    for (int i = 0; i < balls; i++) {
-      scene.circle(2 + i, 0.5, 0.5, 0, 0).restitution(e);
-    }
-    World world = new World(scene.build());
-    play(world, 10);
-    for (int i = 0; i < balls; i++) {
-      assertThat(world.x(i)).as("ball %s", i).isGreaterThan(10 * speed + 0.5 - ROUNDING);
-    }
-  }
-
-  /** A heap of balls in a box that rises. */
-  @ParameterizedTest
-  @CsvSource({"1, 0", "2, 0.3", "3, 0.5"})
-  void aBoxTakesAHeapAlong(int seed, double e) {
-    SceneBuilder scene = Scene.builder().gravity(0, -10).collide(true);
-    scene.line(0, 10, 0, 0).velocity(0, 1).line(0, 0, 4.3, 0).velocity(0, 1);
-    scene.line(4.3, 0, 4.3, 10).velocity(0, 1);
-    Random random = new Random(seed);
-    for (int i = 0; i < 12; i++) {
-      int row = i / 4;
-      double x = 0.6 + i % 4 * 0.92;
-      scene.circle(x + 0.01 * random.nextDouble(), 1 + row, 0.4, 0, 0).restitution(e);
-    }
-    World world = new World(scene.build());
-    play(world, 8);
-    for (int i = 0; i < 12; i++) {
-      assertThat(world.y(i)).as("ball %s", i).isBetween(8.4 - ROUNDING, 12.0);
-      assertThat(world.x(i)).as("ball %s", i).isBetween(0.4 - ROUNDING, 3.9 + ROUNDING);
-    }
-  }
-
-  /** So many balls hop for ever; each is above the lift. */
-  @Test
-  void aLiftTakesALargeHeapAlong() {
-    SceneBuilder scene = Scene.builder().gravity(0, -10).collide(true);
-    scene.line(0, 50, 0, 0).velocity(0, 1).line(0, 0, 10.7, 0).velocity(0, 1);
-    scene.line(10.7, 0, 10.7, 50).velocity(0, 1);
-    Random random = new Random(1);
-    for (int i = 0; i < 240; i++) {
-      int row = i / 12;
-      double x = 0.5 + i % 12 * 0.88;
-      scene.circle(x + 0.02 * random.nextDouble(), 0.5 + row * 0.81, 0.4, 0, 0);
-      scene.restitution(0.3);
-    }
-    World world = new World(scene.build());
-    play(world, 1.5);
-    for (int i = 0; i < 240; i++) {
-      assertThat(world.y(i)).as("ball %s", i).isGreaterThan(1.9 - ROUNDING);
-    }
   }
 
   /** A press stops upon the first of three balls, which have crushed each other. */

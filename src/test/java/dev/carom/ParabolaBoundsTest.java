@@ -11,7 +11,6 @@ import dev.carom.internal.sweep.FallSweep;
 import dev.carom.internal.sweep.Falls;
 import dev.carom.internal.sweep.ParabolaWallSweep;
 import dev.carom.oracle.Draw;
-import dev.carom.oracle.MovingLineQuery;
 import dev.carom.oracle.PairQuery;
 import dev.carom.oracle.ParabolaContact;
 import dev.carom.oracle.ParabolaFamilies;
@@ -118,12 +117,9 @@ class ParabolaBoundsTest {
     int mistakes = 0;
     for (int i = 0; i < 20 * QUERIES; i++) {
       ParabolaQuery query = family.next(draw);
-      double[] a = ofLine(query);
-      double truth =
-          Falls.exactReturnToSide(
-              1, a[3], a[4], a[5], a[6], a[7], a[8], a[9], a[10], a[11], a[12], a[13]);
-      double[] b = Arrays.copyOfRange(a, 2, 14);
+      double[] b = Arrays.copyOfRange(query.numbers(query.end()), 2, 14);
       b[0] = 1;
+      double truth = Falls.exactReturnToSide(b);
       assertThat((double) Detector.call(whole, b)).as(query::hex).isEqualTo(truth);
       mistakes += (double) Detector.call(without, b) == truth ? 0 : 1;
     }
@@ -305,49 +301,18 @@ class ParabolaBoundsTest {
   }
 
   /** A disk against a line, in the order of the sweep: velocity 0 for a line at rest. */
-  private static double[] ofLine(ParabolaQuery query) {
-    double[] n = query.straight().numbers();
-    boolean moves = query.straight() instanceof MovingLineQuery;
-    return new double[] {
-      n[4],
-      n[5],
-      n[6],
-      n[7],
-      n[8],
-      query.gx(),
-      query.gy(),
-      n[0],
-      n[1],
-      n[2],
-      n[3],
-      moves ? n[9] : 0,
-      moves ? n[10] : 0,
-      n[n.length - 1]
-    };
-  }
-
-  private static boolean isLine(ParabolaQuery query) {
-    return query.straight() instanceof SegmentQuery || query.straight() instanceof MovingLineQuery;
-  }
-
   /** The last rung alone. */
   private static Reply exact(ParabolaQuery query) {
     double[] n = query.straight().numbers();
     double gx = query.gx();
     double gy = query.gy();
-    if (isLine(query)) {
-      double[] a = ofLine(query);
-      ExactParabola line =
-          FallSweep.exact(
-              Falls.line(
-                  a[0], a[1], a[2], a[3], a[4], a[5], a[6], a[7], a[8], a[9], a[10], a[11], a[12]));
+    if (query.isOfLine()) {
+      double[] a = query.numbers(query.end());
+      ExactParabola line = FallSweep.exact(Falls.line(a));
       return reply(line, line.first(a[13]), n[0] == n[2] && n[1] == n[3]);
     }
     if (query.straight() instanceof PairQuery) {
-      double time =
-          FallSweep.exact(
-                  Falls.disk(n[0], n[1], n[2], n[3], n[4], gx, gy, n[5], n[6], n[7], n[8], n[9]))
-              .time(n[10]);
+      double time = FallSweep.exact(Falls.disk(query.numbers())).time(n[10]);
       return new Reply(time, 0);
     }
     double left = ParabolaWallSweep.exact(n[0], n[2], n[3], gx, n[5], 1).time(n[9]);
@@ -391,34 +356,18 @@ class ParabolaBoundsTest {
 
     Detector(BiConsumer<String, ConstantPool> patch) {
       ClassLoader classes = new PatchedClasses(patch);
-      line = handle(classes, Falls.class, "timeOfLine", 14);
-      contact = handle(classes, Falls.class, "contact", 14);
-      disk = handle(classes, Falls.class, "timeOfDisk", 13);
+      line = handle(classes, Falls.class, "timeOfLine", 1);
+      contact = handle(classes, Falls.class, "contact", 1);
+      disk = handle(classes, Falls.class, "timeOfDisk", 1);
       wall = handle(classes, ParabolaWallSweep.class, "time", 7);
-      side = handle(classes, Falls.class, "returnToSide", 12);
-      normal = handle(classes, Falls.class, "normal", 13);
+      side = handle(classes, Falls.class, "returnToSide", 1);
+      normal = handle(classes, Falls.class, "normal", 1);
     }
 
     /** Of a hit on a disk; 0 if the normal is left to exact numbers. */
     double errorOfNormal(ParabolaQuery query, ParabolaContact truth)
         throws ReflectiveOperationException {
-      double[] n = query.straight().numbers();
-      Object unit =
-          call(
-              normal,
-              n[0],
-              n[1],
-              n[2],
-              n[3],
-              n[4],
-              query.gx(),
-              query.gy(),
-              n[5],
-              n[6],
-              n[7],
-              n[8],
-              n[9],
-              truth.time());
+      Object unit = call(normal, query.numbers(truth.time()));
       if (unit == null) {
         return 0;
       }
@@ -434,20 +383,13 @@ class ParabolaBoundsTest {
       double[] n = query.straight().numbers();
       double gx = query.gx();
       double gy = query.gy();
-      if (isLine(query)) {
-        double[] arguments = ofLine(query);
-        double time = (double) call(line, arguments);
-        arguments[13] = time;
+      if (query.isOfLine()) {
+        double time = (double) call(line, query.numbers(query.end()));
         boolean hit = time < Double.POSITIVE_INFINITY;
-        return new Reply(time, hit ? (int) call(contact, arguments) : 0);
+        return new Reply(time, hit ? (int) call(contact, query.numbers(time)) : 0);
       }
       if (query.straight() instanceof PairQuery) {
-        double time =
-            (double)
-                call(
-                    disk, n[0], n[1], n[2], n[3], n[4], gx, gy, n[5], n[6], n[7], n[8], n[9],
-                    n[10]);
-        return new Reply(time, 0);
+        return new Reply((double) call(disk, query.numbers(query.end())), 0);
       }
       double left = (double) call(wall, n[0], n[2], n[3], gx, n[5], 1, n[9]);
       double right = (double) call(wall, n[0], n[2], n[3], gx, n[7], -1, n[9]);
@@ -458,6 +400,9 @@ class ParabolaBoundsTest {
 
     private static Object call(MethodHandle sweep, double... arguments) {
       try {
+        if (sweep.type().parameterCount() == 1) {
+          return sweep.invokeWithArguments((Object) arguments);
+        }
         Object[] boxed = new Object[arguments.length];
         for (int i = 0; i < boxed.length; i++) {
           boolean isInt = sweep.type().parameterType(i) == int.class;
@@ -491,7 +436,7 @@ class ParabolaBoundsTest {
         for (Method method : classes.loadClass(owner).getDeclaredMethods()) {
           if (method.getName().equals(name) && method.getParameterCount() == arguments) {
             method.setAccessible(true);
-            return MethodHandles.lookup().unreflect(method);
+            return MethodHandles.lookup().unreflect(method).asFixedArity();
           }
         }
         throw new IllegalStateException(owner);

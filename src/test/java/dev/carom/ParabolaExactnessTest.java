@@ -128,8 +128,8 @@ class ParabolaExactnessTest {
    * line: the sweep itself is asked.
    */
   private static Answer ask(ParabolaQuery query) {
-    if (query.straight() instanceof MovingLineQuery q) {
-      return movingLine(q, query.gx(), query.gy());
+    if (query.straight() instanceof MovingLineQuery) {
+      return movingLine(query);
     }
     Vec2 g = new Vec2(query.gx(), query.gy());
     if (query.straight() instanceof SegmentQuery q) {
@@ -140,22 +140,13 @@ class ParabolaExactnessTest {
         : bounds((WallQuery) query.straight(), g);
   }
 
-  private static Answer movingLine(MovingLineQuery q, double gx, double gy) {
-    double time =
-        Falls.timeOfLine(
-            q.px(), q.py(), q.r(), q.vx(), q.vy(), gx, gy, q.ax(), q.ay(), q.bx(), q.by(), q.ux(),
-            q.uy(), q.end());
+  private static Answer movingLine(ParabolaQuery query) {
+    double time = Falls.timeOfLine(query.numbers(query.end()));
     if (time == Double.POSITIVE_INFINITY) {
       return Answer.MISS;
     }
-    int contact =
-        Falls.contact(
-            q.px(), q.py(), q.r(), q.vx(), q.vy(), gx, gy, q.ax(), q.ay(), q.bx(), q.by(), q.ux(),
-            q.uy(), time);
-    Hit hit =
-        Falls.hitOfLine(
-            q.px(), q.py(), q.r(), q.vx(), q.vy(), gx, gy, q.ax(), q.ay(), q.bx(), q.by(), q.ux(),
-            q.uy(), contact, time);
+    int contact = Falls.contact(query.numbers(time));
+    Hit hit = new Hit().of(Falls.line(query.numbers()), contact, time);
     return new Answer(time, part(contact), hit.nx(), hit.ny());
   }
 

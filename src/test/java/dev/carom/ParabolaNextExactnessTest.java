@@ -7,7 +7,6 @@ import dev.carom.internal.exact.PrecisionCounter;
 import dev.carom.internal.sweep.Contact;
 import dev.carom.internal.sweep.Falls;
 import dev.carom.oracle.Draw;
-import dev.carom.oracle.MovingLineQuery;
 import dev.carom.oracle.PairQuery;
 import dev.carom.oracle.ParabolaContact;
 import dev.carom.oracle.ParabolaFamily;
@@ -137,55 +136,35 @@ class ParabolaNextExactnessTest {
   }
 
   private static Answer askReturn(ParabolaQuery query) {
-    double[] n = query.straight().numbers();
-    double gx = query.gx();
-    double gy = query.gy();
+    double end = query.end();
     if (query.straight() instanceof PairQuery q) {
       double time =
-          Falls.returnToDisk(n[0], n[1], n[3], n[4], gx, gy, n[5], n[6], n[8], n[9], q.end());
+          Falls.returnToDisk(
+              q.x1(),
+              q.y1(),
+              q.vx1(),
+              q.vy1(),
+              query.gx(),
+              query.gy(),
+              q.x2(),
+              q.y2(),
+              q.vx2(),
+              q.vy2(),
+              end);
       return time < NEVER ? new Answer(time, Part.CIRCLE, 0) : MISS;
     }
-    double[] u = velocityOfLine(query);
-    double time =
-        Falls.returnToLine(
-            n[4], n[5], n[6], n[7], n[8], gx, gy, n[0], n[1], n[2], n[3], u[0], u[1], query.end());
-    if (time == NEVER) {
-      return MISS;
-    }
-    return answer(
-        time,
-        Falls.contactOfReturn(
-            n[4], n[5], n[6], n[7], n[8], gx, gy, n[0], n[1], n[2], n[3], u[0], u[1], time));
+    double time = Falls.returnToLine(query.numbers(end));
+    return time == NEVER ? MISS : answer(time, Falls.contactOfReturn(query.numbers(time)));
   }
 
   private static Answer askEntry(ParabolaQuery query, double s) {
-    double[] n = query.straight().numbers();
-    double gx = query.gx();
-    double gy = query.gy();
     double end = query.end();
     if (query.straight() instanceof PairQuery) {
-      double time =
-          Falls.timeOfDiskAfter(
-              n[0], n[1], n[2], n[3], n[4], gx, gy, n[5], n[6], n[7], n[8], n[9], s, end);
+      double time = Falls.timeOfDiskAfter(query.numbers(s, end));
       return time < NEVER ? new Answer(time, Part.CIRCLE, 0) : MISS;
     }
-    double[] u = velocityOfLine(query);
-    double time =
-        Falls.timeOfLineAfter(
-            n[4], n[5], n[6], n[7], n[8], gx, gy, n[0], n[1], n[2], n[3], u[0], u[1], s, end);
-    if (time == NEVER) {
-      return MISS;
-    }
-    return answer(
-        time,
-        Falls.contact(
-            n[4], n[5], n[6], n[7], n[8], gx, gy, n[0], n[1], n[2], n[3], u[0], u[1], time));
-  }
-
-  private static double[] velocityOfLine(ParabolaQuery query) {
-    return query.straight() instanceof MovingLineQuery q
-        ? new double[] {q.ux(), q.uy()}
-        : new double[2];
+    double time = Falls.timeOfLineAfter(query.numbers(s, end));
+    return time == NEVER ? MISS : answer(time, Falls.contact(query.numbers(time)));
   }
 
   private static Answer answer(double time, int contact) {

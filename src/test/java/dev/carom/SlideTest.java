@@ -53,23 +53,6 @@ class SlideTest {
   }
 
   @Test
-  void aBallCrossesTheJointOfTwoLines() {
-    World world =
-        new World(
-            Scene.builder()
-                .gravity(0, -10)
-                .line(0, 0, 10, 0)
-                .line(10, 0, 20, 0)
-                .circle(5, 1, 1, 4, 0)
-                .restitution(0.5)
-                .build());
-    int rows = rows(world, 3);
-    assertThat(world.x(0)).isEqualTo(17);
-    assertThat(world.y(0)).isCloseTo(1, within(1e-15));
-    assertThat(rows).isLessThanOrEqualTo(6);
-  }
-
-  @Test
   void theEndOfASlideIsNoImpact() {
     World world =
         new World(
@@ -86,64 +69,6 @@ class SlideTest {
     assertThat(world.now()).isCloseTo(1.25 + 2, within(1e-12));
     assertThat(world.impacts().size()).isEqualTo(1);
     assertThat(world.advanceToImpact(4)).isEqualTo(StopReason.TIME);
-  }
-
-  /**
-   * The closed form of a slide without friction, from rest: v^2 = 2 g R (cos start - cos angle).
-   */
-  @ParameterizedTest
-  @ValueSource(doubles = {0, 0.5, 0.9})
-  void aBallRollsOffAPegAsItsClosedFormSays(double e) {
-    double g = 10;
-    double reach = 2;
-    double start = 0.3;
-    double x = reach * Math.sin(start);
-    double y = reach * Math.cos(start);
-    Scene scene =
-        Scene.builder()
-            .gravity(0, -g)
-            .peg(0, 0, 1)
-            .line(-50, -20, 50, -20)
-            .circle(x, y, 1, 0, 0)
-            .restitution(e)
-            .build();
-    double leaves = Math.acos(Math.cos(start) * 2 / 3);
-    double speed = Math.sqrt(g * reach * Math.cos(leaves));
-    double time = slideTime(g, reach, start, leaves);
-    World world = new World(scene);
-    double before = 0;
-    while (Math.atan2(world.x(0), world.y(0)) < leaves) {
-      before = world.now();
-      assertThat(world.advanceTo(world.now() + 1e-4)).isTrue();
-    }
-    assertThat(before).isCloseTo(time, withinPercentage(1));
-    assertThat(Math.hypot(world.vx(0), world.vy(0))).isCloseTo(speed, withinPercentage(1));
-
-    double down = speed * Math.sin(leaves);
-    double height = reach * Math.cos(leaves) + 19;
-    double falls = (Math.sqrt(down * down + 2 * g * height) - down) / g;
-    while (world.vy(0) < 0 && world.y(0) > -18.99) {
-      world.advanceToImpact(9);
-    }
-    assertThat(world.now()).isCloseTo(time + falls, withinPercentage(1));
-    double atFloor = Math.sqrt(speed * speed + 2 * g * height);
-    ImpactLog log = world.impacts();
-    assertThat(log.kind(log.size() - 1)).isEqualTo(ObstacleKind.LINE);
-    double vn = log.approachSpeed(log.size() - 1);
-    assertThat(Math.hypot(world.vx(0), vn)).isCloseTo(atFloor, withinPercentage(1));
-  }
-
-  /** The integral of d angle / angular speed, with angle = start + u^2, which is smooth. */
-  private static double slideTime(double g, double reach, double start, double end) {
-    int steps = 10_000;
-    double du = Math.sqrt(end - start) / steps;
-    double sum = 0;
-    for (int i = 0; i < steps; i++) {
-      double u = (i + 0.5) * du;
-      double fallen = Math.cos(start) - Math.cos(start + u * u);
-      sum += 2 * u * du / Math.sqrt(2 * g / reach * fallen);
-    }
-    return sum;
   }
 
   /** The end of a slide does not count as a bounce, nor end the path after the last one. */

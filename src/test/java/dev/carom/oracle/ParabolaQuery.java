@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 package dev.carom.oracle;
 
+import java.util.stream.DoubleStream;
+
 /**
  * A question about a circle with a constant acceleration. Of two circles the first one has it.
  *
@@ -29,6 +31,24 @@ public record ParabolaQuery(Query straight, double gx, double gy) {
   public double end() {
     double[] n = straight.numbers();
     return n[n.length - 1];
+  }
+
+  /** Whether it is about a line. */
+  public boolean isOfLine() {
+    return straight instanceof SegmentQuery || straight instanceof MovingLineQuery;
+  }
+
+  /** The numbers about a line or another disk in the order of the detector of falls, and times. */
+  public double[] numbers(double... times) {
+    double[] n = straight.numbers();
+    boolean moves = straight instanceof MovingLineQuery;
+    double ux = moves ? n[9] : 0;
+    double uy = moves ? n[10] : 0;
+    DoubleStream all =
+        isOfLine()
+            ? DoubleStream.of(n[4], n[5], n[6], n[7], n[8], gx, gy, n[0], n[1], n[2], n[3], ux, uy)
+            : DoubleStream.of(n[0], n[1], n[2], n[3], n[4], gx, gy, n[5], n[6], n[7], n[8], n[9]);
+    return DoubleStream.concat(all, DoubleStream.of(times)).toArray();
   }
 
   /** Every number as a hexadecimal double. */
