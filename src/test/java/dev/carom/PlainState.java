@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
 package dev.carom;
 
-import dev.carom.internal.response.ContactCluster;
 import dev.carom.internal.response.LoneContact;
 import dev.carom.internal.response.ObstacleResponse;
 import dev.carom.internal.response.PairResponse;
+import dev.carom.internal.response.Shock;
 import dev.carom.internal.state.CircleRegistry;
 import dev.carom.internal.state.Codes;
 import dev.carom.internal.state.Filter;
@@ -13,6 +13,7 @@ import dev.carom.internal.state.Gravity;
 import dev.carom.internal.state.ImpactRows;
 import dev.carom.internal.state.MovingCircle;
 import dev.carom.internal.state.ObstacleTable;
+import dev.carom.internal.util.IntList;
 import dev.carom.internal.util.Kind;
 import java.util.ArrayList;
 import java.util.HashMap;
@@ -32,7 +33,7 @@ abstract class PlainState {
   CircleRegistry registry;
   ObstacleResponse response;
   PairResponse pairs;
-  ContactCluster cluster;
+  Shock shock;
   PlainContacts contacts;
   LoneContact lone;
   final ImpactRows rows = new ImpactRows(16);
@@ -76,40 +77,34 @@ abstract class PlainState {
     falls = new PlainFall(obstacles);
     response = new ObstacleResponse(obstacles, gravity, m -> codes());
     pairs = new PairResponse(registry, response);
-    cluster = new ContactCluster(registry, pairs, response, obstacles, new Vicinity());
-    lone =
-        new LoneContact(
-            obstacles,
-            registry,
-            gravity,
-            (m, reach, now, into) -> {
-              for (int code : codes()) {
-                if (!Codes.isWall(code) || obstacles.walls != null) {
-                  into.add(code);
-                }
-              }
-            });
+    shock = new Shock(registry, obstacles, this::addObstacles, collide ? new All() : null);
+    response.ask(shock);
+    lone = new LoneContact(obstacles, registry, gravity, this::addObstacles);
+  }
+
+  private void addObstacles(MovingCircle m, double reach, double now, IntList into) {
+    for (int code : codes()) {
+      if (!Codes.isWall(code) || obstacles.walls != null) {
+        into.add(code);
+      }
+    }
   }
 
   /** Everything is near everything. */
-  private final class Vicinity implements ContactCluster.Vicinity {
+  private final class All implements Shock.Others {
 
     @Override
-    public int[] circlesNear(int i) {
-      return !collide
-          ? new int[0]
-          : bodies.stream().mapToInt(m -> m.id).filter(registry::contains).toArray();
+    public void circlesNear(MovingCircle m, double reach, IntList into) {
+      for (MovingCircle other : bodies) {
+        if (other.id != m.id && registry.contains(other.id) && registry.meet(m.id, other.id)) {
+          into.add(other.id);
+        }
+      }
     }
 
     @Override
     public MovingCircle copyOf(int i) {
       return copy(bodies.get(i));
-    }
-
-    @Override
-    public int[] obstaclesNear(MovingCircle m) {
-      int first = obstacles.walls == null ? Codes.line(0) : 0;
-      return IntStream.of(codes()).filter(code -> code >= first).toArray();
     }
   }
 

@@ -2,6 +2,7 @@
 package dev.carom;
 
 import dev.carom.internal.response.ObstacleResponse;
+import dev.carom.internal.response.PairResponse;
 import dev.carom.internal.state.Codes;
 import dev.carom.internal.state.MovingCircle;
 import dev.carom.internal.util.Index;
@@ -141,8 +142,8 @@ public final class PlainWorld extends PlainEdits {
     bringTogether(one, two);
     double ofOne = flown(Math.max(0, later), one.advance(wait));
     double ofTwo = flown(Math.max(0, -later), two.advance(wait));
-    cluster.forgetCrushersOf(one);
-    cluster.forgetCrushersOf(two);
+    shock.forgetCrushersOf(one);
+    shock.forgetCrushersOf(two);
     if (meetAsMembers(a, b)) {
       return;
     }
@@ -201,8 +202,8 @@ public final class PlainWorld extends PlainEdits {
   /** Updates the jams of circles that begin new flights. */
   private void settle(int result, MovingCircle... hit) {
     Collection<MovingCircle> changed = List.of(hit);
-    if (result == ObstacleResponse.STUCK && (collide || obstacles.areMoving())) {
-      changed = cluster.resolve(rows, hit);
+    if (result == ObstacleResponse.STUCK) {
+      changed = shock.resolve(rows, hit);
       for (MovingCircle m : changed) {
         bodies.set(m.id, m);
         begin(m);
@@ -215,7 +216,7 @@ public final class PlainWorld extends PlainEdits {
     for (MovingCircle other : bodies) {
       int code = Codes.circle(other.id);
       boolean inert = m.jam != null && m.jam.makesInert(code);
-      if (inert && pairs.part(m, other)) {
+      if (inert && PairResponse.part(m, other)) {
         m.jam = m.jam.without(code);
       }
     }

@@ -84,7 +84,7 @@ class HeapTest {
     assertThat(height).isLessThan(count == 60 ? 15 : 26);
   }
 
-  /** It falls on one peg and then on the other, and lies there: two rows a frame. */
+  /** It falls on one peg, then on the other, and both act at once: three rows a frame. */
   @Test
   void aBallWithoutBounceLiesOnTwoPegs() {
     World world =
@@ -95,12 +95,12 @@ class HeapTest {
                 .circle(1.5, 1.4, 1, 0, 0)
                 .restitution(0)
                 .build());
-    assertThat(play(world, 300, 0)).isLessThanOrEqualTo(2);
+    assertThat(play(world, 300, 0)).isLessThanOrEqualTo(3);
     assertThat(Math.hypot(world.x(0), world.y(0))).isBetween(2 - 1e-12, 2 + 1e-12);
     assertThat(world.vy(0)).isZero();
   }
 
-  /** It slides into a gap of exactly its diameter, until it touches both pegs. */
+  /** It slides into a gap of exactly its diameter, from peg to peg, until it touches both. */
   @Test
   void aBallWithoutBounceComesToAGapOfItsDiameter() {
     World world =
@@ -111,7 +111,7 @@ class HeapTest {
                 .circle(1.9, 3, 1, 0, 0)
                 .restitution(0)
                 .build());
-    assertThat(play(world, 11, 0)).isLessThanOrEqualTo(20);
+    assertThat(play(world, 11, 0)).isLessThanOrEqualTo(50);
     assertThat(world.x(0)).isCloseTo(2, within(1e-13));
     assertThat(world.y(0)).isBetween(0.0, 1e-6);
   }

@@ -2,9 +2,9 @@
 package dev.carom.internal.engine;
 
 import dev.carom.internal.exact.ExactBudget;
-import dev.carom.internal.response.ContactCluster;
 import dev.carom.internal.response.ObstacleResponse;
 import dev.carom.internal.response.PairResponse;
+import dev.carom.internal.response.Shock;
 import dev.carom.internal.state.CircleRegistry;
 import dev.carom.internal.state.CircleTable;
 import dev.carom.internal.state.Codes;
@@ -53,7 +53,7 @@ public final class CollidingEngine extends Engine {
   private final EngineOptions options;
 
   private final PairResponse pairs;
-  private final ContactCluster cluster;
+  private final Shock shock;
   private final Contacts contacts;
   private EventScheduler scheduler;
 
@@ -91,8 +91,9 @@ public final class CollidingEngine extends Engine {
     super(scene, registry, CircleTable.colliding(scene.circleCount()), options, log);
     this.options = options;
     pairs = new PairResponse(registry, response);
-    cluster = new ContactCluster(registry, pairs, response, staticScene.obstacles, new Vicinity());
     contacts = new Contacts(this, log);
+    shock = new Shock(registry, staticScene.obstacles, staticScene::addNear, contacts);
+    response.ask(shock);
     int count = circles.count;
     for (int i = 0; i < count; i++) {
       circles.start(scene, i);
@@ -433,8 +434,8 @@ public final class CollidingEngine extends Engine {
     untilLook--;
     takeMomentum(a, ofA + tau);
     takeMomentum(b, ofB + tau);
-    cluster.forgetCrushersOf(a);
-    cluster.forgetCrushersOf(b);
+    shock.forgetCrushersOf(a);
+    shock.forgetCrushersOf(b);
     return pairs.resolve(a, flownA, b, flownB, tau, circles.allowsGravity(), log);
   }
 
@@ -471,8 +472,9 @@ public final class CollidingEngine extends Engine {
 
   /** Resolves all contacts of stuck circles, and of all that touch them, at once. */
   private void resolveContacts(int... hit) {
-    MovingCircle[] first = Arrays.stream(hit).mapToObj(this::copy).toArray(MovingCircle[]::new);
-    begin(cluster.resolve(log, first));
+    MovingCircle[] first =
+        Arrays.stream(hit).mapToObj(contacts::copyOf).toArray(MovingCircle[]::new);
+    begin(shock.resolve(log, first));
   }
 
   /** Begins new flights of circles. */
@@ -484,31 +486,6 @@ public final class CollidingEngine extends Engine {
     }
     members.forEach(m -> reactivate(m.id));
     members.forEach(m -> scheduler.predict(m.id));
-  }
-
-  /** Finds neighbours by the cells of the circles and the grid of the obstacles. */
-  private final class Vicinity implements ContactCluster.Vicinity {
-
-    @Override
-    public int[] circlesNear(int i) {
-      return outgrown ? registry.slots() : scheduler.near(i);
-    }
-
-    @Override
-    public MovingCircle copyOf(int i) {
-      return copy(i);
-    }
-
-    @Override
-    public int[] obstaclesNear(MovingCircle m) {
-      return staticScene.near(m);
-    }
-  }
-
-  private MovingCircle copy(int i) {
-    MovingCircle m = new MovingCircle();
-    circles.load(i, m);
-    return m;
   }
 
   /**
@@ -528,7 +505,7 @@ public final class CollidingEngine extends Engine {
     for (int code : ignored.entries()) {
       if (Codes.isCircle(code)) {
         circles.load(Codes.slot(code), other);
-        if (pairs.part(circles.body, other)) {
+        if (PairResponse.part(circles.body, other)) {
           jam = jam.without(code);
         }
       }

@@ -3,6 +3,7 @@ package dev.carom.internal.engine;
 
 import dev.carom.internal.response.ContactCore;
 import dev.carom.internal.response.ContactHost;
+import dev.carom.internal.response.Shock;
 import dev.carom.internal.state.CircleRegistry;
 import dev.carom.internal.state.CircleTable;
 import dev.carom.internal.state.Codes;
@@ -18,7 +19,7 @@ import dev.carom.internal.util.IntList;
  * ContactCore} what is near, and turns flights of members into flights of the store: straight, and
  * known until the next tick.
  */
-final class Contacts implements ContactHost {
+final class Contacts implements ContactHost, Shock.Others {
 
   private static final double INFINITE = Double.POSITIVE_INFINITY;
 
@@ -229,26 +230,49 @@ final class Contacts implements ContactHost {
     }
   }
 
-  // The host.
+  // Without gravity.
 
   @Override
-  public void membersNear(int slot, double x, double y, double reach, IntList into) {
+  public MovingCircle copyOf(int slot) {
+    MovingCircle m = new MovingCircle();
+    circles.load(slot, m);
+    return m;
+  }
+
+  @Override
+  public void circlesNear(MovingCircle m, double reach, IntList into) {
+    addNear(m, reach, false, into);
+  }
+
+  private void addNear(MovingCircle m, double reach, boolean membersOnly, IntList into) {
     found.clear();
-    engine.scheduler().addNear(x, y, circles.radius(slot) + reach, found);
+    engine.scheduler().addNear(m.x, m.y, m.radius + reach, found);
     for (int k = 0; k < found.size(); k++) {
       int i = found.get(k);
-      if (i != slot && core.isMember(i) && registry.meet(i, slot)) {
+      if (i != m.id && (!membersOnly || core.isMember(i)) && registry.meet(i, m.id)) {
         into.add(i);
       }
     }
   }
 
+  // The host.
+
   @Override
-  public void obstaclesNear(int slot, double x, double y, double reach, double now, IntList into) {
+  public void membersNear(int slot, double x, double y, double reach, IntList into) {
+    setPlace(slot, x, y);
+    addNear(place, reach, true, into);
+  }
+
+  private void setPlace(int slot, double x, double y) {
     place.id = slot;
     place.radius = circles.radius(slot);
     place.x = x;
     place.y = y;
+  }
+
+  @Override
+  public void obstaclesNear(int slot, double x, double y, double reach, double now, IntList into) {
+    setPlace(slot, x, y);
     staticScene.addNear(place, reach, now, into);
     if (registry.hasInfinite()) {
       found.clear();

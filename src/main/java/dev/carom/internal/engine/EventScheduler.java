@@ -10,7 +10,6 @@ import dev.carom.internal.state.LiveCodes;
 import dev.carom.internal.state.MovingCircle;
 import dev.carom.internal.util.Index;
 import dev.carom.internal.util.IntList;
-import java.util.Arrays;
 
 /**
  * Schedules the next event of each circle that collides. It owns the cells of the circles, the
@@ -320,20 +319,5 @@ final class EventScheduler {
   void edit(int i, double time) {
     queue.clear(i);
     put(codes, i, time, EventKind.EDIT);
-  }
-
-  /**
-   * The circles in the cell of a circle and in those around it, maybe including itself; a new
-   * array.
-   */
-  int[] near(int i) {
-    int end = neighbors.find(codes, i, found);
-    for (int k = 0; k < end; k++) {
-      int follower = codes[CircleTable.collidingCodesAt(found[k]) + CircleTable.FOLLOWER];
-      if (follower != Index.NONE) {
-        found[end++] = follower;
-      }
-    }
-    return Arrays.copyOf(found, end);
   }
 }

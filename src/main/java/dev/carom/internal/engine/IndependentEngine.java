@@ -2,10 +2,9 @@
 package dev.carom.internal.engine;
 
 import dev.carom.internal.exact.ExactBudget;
-import dev.carom.internal.response.ContactCluster;
 import dev.carom.internal.response.LoneContact;
 import dev.carom.internal.response.ObstacleResponse;
-import dev.carom.internal.response.PairResponse;
+import dev.carom.internal.response.Shock;
 import dev.carom.internal.state.CircleRegistry;
 import dev.carom.internal.state.CircleTable;
 import dev.carom.internal.state.Codes;
@@ -15,7 +14,6 @@ import dev.carom.internal.state.FlightTable;
 import dev.carom.internal.state.ImpactRows;
 import dev.carom.internal.state.LiveCodes;
 import dev.carom.internal.state.MovingCircle;
-import dev.carom.internal.state.ObstacleTable;
 import dev.carom.internal.state.SceneData;
 import dev.carom.internal.state.UndoLog;
 
@@ -43,9 +41,7 @@ public final class IndependentEngine extends Engine {
   private final UndoLog undoLog;
   private final DuePrefetcher prefetcher;
 
-  /** Null until it is needed. */
-  private ContactCluster cluster;
-
+  private final Shock shock;
   private final LoneContact contact;
 
   /** Whether a tick comes before the next impact. */
@@ -63,6 +59,8 @@ public final class IndependentEngine extends Engine {
     prefetcher = new DuePrefetcher(circles, staticScene);
     undoLog = new UndoLog(Math.min(count, JOURNAL));
     contact = new LoneContact(staticScene.obstacles, registry, gravity, staticScene::addNear);
+    shock = new Shock(registry, staticScene.obstacles, staticScene::addNear, null);
+    response.ask(shock);
     for (int i = 0; i < count; i++) {
       circles.start(scene, i);
       release(circles.body);
@@ -211,41 +209,12 @@ public final class IndependentEngine extends Engine {
       return ObstacleResponse.NEW_FLIGHT;
     }
     int result = response.resolve(m, log);
-    if (result == ObstacleResponse.STUCK && staticScene.obstacles.areMoving()) {
-      cluster().resolve(log, m);
+    if (result == ObstacleResponse.STUCK) {
+      shock.resolve(log, m);
     } else if (result == ObstacleResponse.JOIN) {
       contact.join(m, log);
     }
     return result;
-  }
-
-  /** Resolves what a moving obstacle squeezes. */
-  private ContactCluster cluster() {
-    if (cluster == null) {
-      PairResponse pairs = new PairResponse(registry, response);
-      ObstacleTable obstacles = staticScene.obstacles;
-      cluster = new ContactCluster(registry, pairs, response, obstacles, new Solitude());
-    }
-    return cluster;
-  }
-
-  /** No circle is near another one: they ignore each other. */
-  private final class Solitude implements ContactCluster.Vicinity {
-
-    @Override
-    public int[] circlesNear(int i) {
-      return new int[0];
-    }
-
-    @Override
-    public MovingCircle copyOf(int i) {
-      throw new AssertionError("circle " + i + " ignores all others");
-    }
-
-    @Override
-    public int[] obstaclesNear(MovingCircle m) {
-      return staticScene.near(m);
-    }
   }
 
   @Override

@@ -17,7 +17,7 @@ public final class ExactBudget {
   /** Pairs of bits that are multiplied in the time of a bit: 64 times 64 in about 1 ns. */
   private static final int PAIRS_PER_BIT = 512;
 
-  /** The cost of one contact in one sweep of an {@code InelasticShock}: measured, some 8 ns. */
+  /** The cost of one contact in one sweep of a {@code Shock}: measured, some 8 ns. */
   private static final int BITS_PER_RELAXATION = 64;
 
   private static final ThreadLocal<ExactBudget> OF_THREAD =

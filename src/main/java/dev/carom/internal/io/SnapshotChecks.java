@@ -171,13 +171,8 @@ final class SnapshotChecks {
       expect(m.contactRow != null, "the state of a circle in contact is ", Double.NaN);
       member(m.contactRow);
     }
-    expect(MovingCircle.isStuckWeight(m.stuck), "the weight of impacts at one place is ", m.stuck);
-    int exponent = m.speedExponent;
-    expect(
-        exponent >= Double.MIN_EXPONENT - 1 && exponent <= Double.MAX_EXPONENT + 1,
-        "the exponent of a speed is ",
-        exponent);
-    expect(Math.abs(m.turn) <= 1, "a turn is ", m.turn);
+    boolean isCount = m.stuck >= 0 && m.stuck <= MovingCircle.STUCK_LIMIT;
+    expect(isCount, "the number of impacts at one place is ", m.stuck);
     double sensed = m.sensedHead + m.sensedTail;
     expect(!Double.isNaN(sensed), "a number of a circle is ", sensed);
     expect(m.sensedPartner >= MovingCircle.NOT_SENSED, "a partner is circle ", m.sensedPartner);

@@ -24,7 +24,7 @@ final class ContactGraph {
 
   private final Members members;
   private final Parts parts;
-  private final ContactHost host;
+  private final ContactSurroundings host;
   private final Approach approach = new Approach();
   private final double gx;
   private final double gy;
@@ -47,6 +47,9 @@ final class ContactGraph {
 
   boolean isValid;
 
+  /** All margins are so much wider. */
+  double slack;
+
   NearPairs pairs;
   private NearPairs old;
 
@@ -63,7 +66,7 @@ final class ContactGraph {
 
   private long[] place = new long[16];
 
-  ContactGraph(Members members, Parts parts, ContactHost host, double gx, double gy) {
+  ContactGraph(Members members, Parts parts, ContactSurroundings host, double gx, double gy) {
     this.members = members;
     this.parts = parts;
     this.host = host;
@@ -80,6 +83,13 @@ final class ContactGraph {
     fill = new int[n + 1];
     pairs = new NearPairs(n);
     old = new NearPairs(n);
+    Arrays.fill(rank, Index.NONE);
+  }
+
+  /** Forgets all circles and pairs. */
+  void clear() {
+    awake = 0;
+    pairs.size = 0;
     Arrays.fill(rank, Index.NONE);
   }
 
@@ -180,7 +190,7 @@ final class ContactGraph {
       double r = members.radius[i];
       double fast = ContactLaw.MARGIN_TICKS * path(q, i, time);
       double slow = MARGIN_STANDOFFS * ContactLaw.STANDOFF * r;
-      margin[i] = Math.max(ContactLaw.MARGIN * r, fast + slow) + 2 * fastest * time;
+      margin[i] = Math.max(ContactLaw.MARGIN * r, fast + slow) + 2 * fastest * time + slack;
       listX[i] = members.x[i];
       listY[i] = members.y[i];
     }
@@ -285,7 +295,7 @@ final class ContactGraph {
     double d = members.radius[i] + members.radius[j] + reach;
     double dx = members.x[i] - members.x[j];
     double dy = members.y[i] - members.y[j];
-    return dx * dx + dy * dy < d * d;
+    return dx * dx + dy * dy <= d * d;
   }
 
   /** Puts the pairs in order: by the owner, then awake ones, frozen ones, parts. */
@@ -398,7 +408,7 @@ final class ContactGraph {
     int b = p.other[k];
     double dx = members.x[a] - members.x[b];
     double dy = members.y[a] - members.y[b];
-    double d = Math.sqrt(dx * dx + dy * dy);
+    double d = Parts.length(dx, dy);
     double inverse = d > 0 ? 1 / d : 0;
     p.nx[k] = dx * inverse;
     p.ny[k] = dy * inverse;

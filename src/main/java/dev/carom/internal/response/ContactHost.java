@@ -1,24 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
 package dev.carom.internal.response;
 
-import dev.carom.internal.util.IntList;
 import dev.carom.internal.util.Part;
 
 /** The services of an engine that {@link ContactCore} needs. Circles are named by their slots. */
-public interface ContactHost {
-
-  /**
-   * Adds the members, but for the circle itself, that it can meet and that may be nearer to it than
-   * a given distance. The circle is at (x, y) now.
-   */
-  void membersNear(int slot, double x, double y, double reach, IntList into);
-
-  /**
-   * Adds the codes of the obstacles, and of the circles of infinite mass, that may be nearer to a
-   * circle than a given distance. Some may be there twice, or be none that it can meet. The circle
-   * is at (x, y) now.
-   */
-  void obstaclesNear(int slot, double x, double y, double reach, double now, IntList into);
+public interface ContactHost extends ContactSurroundings {
 
   /** A member begins a flight now: it joined, a tick ended, it froze or woke. */
   void flies(int slot);

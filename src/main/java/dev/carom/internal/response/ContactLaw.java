@@ -72,5 +72,8 @@ final class ContactLaw {
   /** The number of impacts of one circle at one place after which it is stuck. */
   static final int IMPACTS = 24;
 
+  /** In units of the coordinates: what is as near as 64 ulps touches, or is at one place. */
+  static final double TOUCH = 0x1p-46;
+
   private ContactLaw() {}
 }

@@ -18,6 +18,7 @@ final class HalfPlanes {
 
   double y;
   private double distance;
+  private double slack;
 
   void clear() {
     count = 0;
@@ -46,7 +47,7 @@ final class HalfPlanes {
   /** Whether all half planes hold (vx, vy) but for the two that are left out. */
   private boolean holds(double vx, double vy, int out1, int out2) {
     for (int k = 0; k < count; k++) {
-      if (k != out1 && k != out2 && vx * nx[k] + vy * ny[k] < least[k]) return false;
+      if (k != out1 && k != out2 && vx * nx[k] + vy * ny[k] < least[k] - slack) return false;
     }
     return true;
   }
@@ -64,6 +65,12 @@ final class HalfPlanes {
    * none.
    */
   boolean nearest(double vx, double vy) {
+    return nearest(vx, vy, 0);
+  }
+
+  /** The same where bounds hold up to a small speed. */
+  boolean nearest(double vx, double vy, double noise) {
+    slack = noise;
     x = vx;
     y = vy;
     if (holds(vx, vy, -1, -1)) return true;

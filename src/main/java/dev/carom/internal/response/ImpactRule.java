@@ -30,7 +30,7 @@ final class ImpactRule {
   static final double STEP_ULPS = 8;
 
   /** In units of the coordinates: a circle that moved by no more is at one place. */
-  private static final double PLACE = 0x1p-40;
+  static final double PLACE = 0x1p-40;
 
   /**
    * In radii: the same for a circle that something pushes. An elastic one of speed v before
@@ -39,7 +39,10 @@ final class ImpactRule {
   private static final double PUSHED_PLACE = 0x1p-6;
 
   /** At restitutions from 1 on, so many times more impacts at one place are possible. */
-  private static final int ELASTIC = 64;
+  static final int ELASTIC = 64;
+
+  /** An approach up to this part of the speed is rounding: some ulps of the velocity. */
+  static final double ROUNDED_SPEED = 0x1p-48;
 
   private final Gravity gravity;
 
@@ -71,17 +74,49 @@ final class ImpactRule {
    * @param pushes whether that moves towards it, and does not give way
    */
   static void count(MovingCircle m, double way, boolean again, boolean pushes) {
+    if (m.isCrushed()) {
+      return;
+    }
     m.pushed |= pushes;
     if (way > (m.pushed ? PUSHED_PLACE * m.radius : PLACE * size(m))) {
-      m.stuck = 0;
+      m.leavePlace();
       m.pushed = pushes;
     } else if (!again) {
       m.stuck = Math.min(m.stuck + 1, MovingCircle.STUCK_LIMIT);
     }
   }
 
+  static double size(MovingCircle m) {
+    return Math.max(Math.abs(m.x) + Math.abs(m.y), m.radius);
+  }
+
   private static boolean isMany(MovingCircle m, double e) {
     return m.stuck > ContactLaw.IMPACTS && (e < 1 || m.stuck > ContactLaw.IMPACTS * ELASTIC);
+  }
+
+  /** Whether a circle is stuck without gravity; without bounce the second impact would do. */
+  static boolean isStuck(MovingCircle m, double e) {
+    return e == 0 ? m.stuck > 0 : isMany(m, e);
+  }
+
+  /** Whether a stuck circle stays so, whatever new velocities it gets. */
+  static boolean isHopeless(MovingCircle m) {
+    return m.stuck > ContactLaw.IMPACTS * (ELASTIC + 1);
+  }
+
+  /** Whether an approach is no more than rounding of a speed. */
+  static boolean isFaint(double approach, double speed) {
+    return Math.abs(approach) <= ROUNDED_SPEED * speed;
+  }
+
+  /** Stops a circle whose velocity an impact made infinite or NaN; returns whether it did. */
+  static boolean stopsBeyondRange(MovingCircle m) {
+    boolean stops = !(Math.abs(m.vx) <= Double.MAX_VALUE && Math.abs(m.vy) <= Double.MAX_VALUE);
+    if (stops) {
+      m.vx = 0;
+      m.vy = 0;
+    }
+    return stops;
   }
 
   /** Whether gravity presses a circle onto a thing, by more than the normal is rounded. */
@@ -96,10 +131,6 @@ final class ImpactRule {
    */
   static double turn(MovingCircle m) {
     return 2 * STEP_ULPS * Math.ulp(size(m)) / m.radius;
-  }
-
-  private static double size(MovingCircle m) {
-    return Math.max(Math.abs(m.x) + Math.abs(m.y), m.radius);
   }
 
   /** The rule for a circle that meets an obstacle; flat: a side, on no other one. */

@@ -16,12 +16,12 @@ import java.util.function.Predicate;
  * - u).n) / (n.n) n}. The normal n is that of {@link ContactPoint}, of any length, so that errors
  * do not feed on themselves. A wall turns one component.
  *
- * <p>A {@linkplain StuckRule stuck} circle has restitution 0 with every obstacle, and ignores
- * obstacles that it approaches by no more than rounding; {@link StopRule} decides when it stops.
- * The rule only takes energy away. The TC model of S. Luding and S. McNamara (How to handle the
- * inelastic collapse of a dissipative hard-sphere gas with the TC model, Granular Matter 1, 1998)
- * instead makes impacts elastic that follow each other too fast. That feeds energy back that the
- * scene had taken away, and needs a length of time that a scene does not have.
+ * <p>A circle that is stuck, by the {@link ImpactRule}, has restitution 0 with every obstacle, and
+ * all its contacts act at once, see {@link Shock}. That only takes energy away. The TC model of S.
+ * Luding and S. McNamara (How to handle the inelastic collapse of a dissipative hard-sphere gas
+ * with the TC model, Granular Matter 1, 1998) instead makes impacts elastic that follow each other
+ * too fast. That feeds energy back that the scene had taken away, and needs a length of time that a
+ * scene does not have.
  */
 public final class ObstacleResponse {
 
@@ -69,12 +69,11 @@ public final class ObstacleResponse {
     sliding = new Sliding(obstacles, gravity);
     rule = new ImpactRule(gravity);
     point = new ContactPoint(obstacles);
-    isCrushed = m -> Touch.isCrushed(m, obstacles);
   }
 
-  /** Lets a cluster tell of crushed circles: it knows all of them. */
-  public void ask(ContactCluster cluster) {
-    isCrushed = cluster::isCrushed;
+  /** Lets contacts of stuck circles tell who is crushed. */
+  public void ask(Shock shock) {
+    isCrushed = shock::isCrushed;
   }
 
   /**
@@ -104,28 +103,17 @@ public final class ObstacleResponse {
       m.forgetCrushers();
     }
     double e = m.restitution * obstacles.restitution(code);
-    double speed = Math.abs(sx) + Math.abs(sy);
-    double approach = vn / (Math.abs(point.nx) + Math.abs(point.ny));
-    double speeds = Math.abs(m.vx) + Math.abs(m.vy) + Math.abs(point.ux) + Math.abs(point.uy);
-    double pushed = StuckRule.pushedPlace(obstacles.areMoving());
-    StuckRule.count(m, flown, speed, speeds, approach, e, StuckRule.ELASTIC, pushed);
-    m.pushed |= point.ux * point.nx + point.uy * point.ny > 0;
-    boolean stuck = StuckRule.isStuck(m);
-    boolean faint = stuck && StuckRule.isFaint(m, approach);
-    if (faint) {
-      m.jam = IgnoreList.with(m.jam, code);
-    } else {
-      m.ignoreCirclesOnly();
-    }
-    if (stuck || e == 0) {
-      changeWithoutBounce(m, code, vn, stuck, log);
-    } else {
-      m.turn = 0;
-      change(m, code, vn, e, log);
+    boolean pushes = point.ux * point.nx + point.uy * point.ny > 0;
+    ImpactRule.count(m, flown * (Math.abs(sx) + Math.abs(sy)), false, pushes);
+    boolean stuck = ImpactRule.isStuck(m, e);
+    m.ignoreCirclesOnly();
+    change(m, code, vn, stuck ? 0 : e, log);
+    if (stuck) {
+      log.setOutcome(ImpactRows.JAMMED);
     }
     m.last = code;
     m.newFlight();
-    return stuck && !faint ? STUCK : NEW_FLIGHT;
+    return stuck ? STUCK : NEW_FLIGHT;
   }
 
   /**
@@ -152,7 +140,7 @@ public final class ObstacleResponse {
    * that if its own side ends there.
    */
   private boolean passes(MovingCircle m, int code, double approach) {
-    boolean faint = StuckRule.isFaint(approach, Math.abs(sx) + Math.abs(sy));
+    boolean faint = ImpactRule.isFaint(approach, Math.abs(sx) + Math.abs(sy));
     boolean slides = m.isCarried() && sliding.isLevel(m, point.nx, point.ny);
     boolean leaves = flewOff(m) && sliding.leavesEnd(m, code);
     if (!faint || m.stuck > ContactLaw.IMPACTS || !(slides || leaves)) {
@@ -224,27 +212,6 @@ public final class ObstacleResponse {
     return what == ImpactRule.SLIDE ? NEW_FLIGHT : JOIN;
   }
 
-  /**
-   * Changes the velocity by an impact of restitution 0, which may stop the circle if the obstacle
-   * is at rest.
-   */
-  private void changeWithoutBounce(
-      MovingCircle m, int code, double vn, boolean stuck, ImpactRows log) {
-    double approach = vn / (Math.abs(point.nx) + Math.abs(point.ny));
-    boolean pushes = point.ux != 0 || point.uy != 0;
-    m.turn = pushes ? 0 : m.turn;
-    double way = flown * (Math.abs(sx) + Math.abs(sy));
-    boolean back = !pushes && StopRule.turnsBack(m, point.nx, point.ny, way, approach);
-    change(m, code, vn, 0, log);
-    boolean stops = back || (stuck && !pushes && StopRule.isSpent(m));
-    if (stops) {
-      StopRule.stop(m);
-    }
-    if (stuck || stops) {
-      log.setOutcome(ImpactRows.JAMMED);
-    }
-  }
-
   /** A moving obstacle comes to a circle that something crushed: it passes over it, too. */
   private static void passOver(MovingCircle m, int code, ImpactRows log) {
     m.jam = IgnoreList.crushedBy(m.jam, code);
@@ -256,7 +223,7 @@ public final class ObstacleResponse {
   private void change(MovingCircle m, int code, double vn, double e, ImpactRows log) {
     if (vn < 0) {
       reflect(m, code, e);
-      if (StopRule.stopsBeyondRange(m)) {
+      if (ImpactRule.stopsBeyondRange(m)) {
         log.setOutcome(ImpactRows.STOPPED);
       } else if (obstacles.halts(code)) {
         log.setOutcome(ImpactRows.HALTED);
@@ -280,14 +247,6 @@ public final class ObstacleResponse {
     m.vy = startVy;
     m.clearUpTo(m.cleared);
     m.sensedCode = code;
-  }
-
-  /** Writes a contact of a circle with an obstacle. */
-  void report(MovingCircle m, Touch touch, ImpactRows log) {
-    m.contact = touch.contact();
-    point.startAt(m);
-    report(m, touch.code(), m.t, log);
-    m.contact = 0;
   }
 
   /**

@@ -44,10 +44,6 @@ public final class PairResponse {
   private double ny;
   private double un;
 
-  // How long the flights lasted that end in it; 0 if too short to advance the clock.
-  private double flownA;
-  private double flownB;
-
   public PairResponse(CircleRegistry registry, ObstacleResponse response) {
     this.registry = registry;
     sliding = response.sliding;
@@ -89,13 +85,13 @@ public final class PairResponse {
    * Whether a circle on a new flight approaches or leaves one with which it jammed by more than
    * rounding. Then the two no longer ignore each other.
    */
-  public boolean part(MovingCircle m, MovingCircle other) {
+  public static boolean part(MovingCircle m, MovingCircle other) {
     double later = (m.t - other.t) + (m.tl - other.tl);
     double nx = m.x - fma(other.vx, later, other.x);
     double ny = m.y - fma(other.vy, later, other.y);
     double un = (m.vx - other.vx) * nx + (m.vy - other.vy) * ny;
     double approach = un / (Math.abs(nx) + Math.abs(ny));
-    return !StuckRule.isFaint(m, approach) && !StuckRule.isFaint(other, approach);
+    return !ImpactRule.isFaint(approach, speeds(m, other));
   }
 
   private static double speeds(MovingCircle a, MovingCircle b) {
@@ -151,8 +147,6 @@ public final class PairResponse {
       double tau,
       boolean mayFall,
       ImpactRows log) {
-    this.flownA = flownA;
-    this.flownB = flownB;
     measure(a, b, tau);
     boolean halt = registry.halts(a.id) || registry.halts(b.id);
     double e = halt ? 0 : a.restitution * b.restitution;
@@ -171,16 +165,13 @@ public final class PairResponse {
       log.setOutcome(ImpactRows.JAMMED);
       return ObstacleResponse.NEW_FLIGHT;
     }
+    double speed = scaled(Math.abs(ux) + Math.abs(uy), fast);
+    ImpactRule.count(a, flownA * speed, false, massB == INFINITE && b.vx * nx + b.vy * ny > 0);
+    ImpactRule.count(b, flownB * speed, false, massA == INFINITE && a.vx * nx + a.vy * ny < 0);
     if (mayFall && (a.isFalling() || b.isFalling())) {
       return resolveFalling(a, b, e, halt, log);
     }
-    double approach = un / (Math.abs(nx) + Math.abs(ny));
-    count(a, flownA, b, massB, e, approach);
-    count(b, flownB, a, massA, e, approach);
-    a.pushed |= massB == INFINITE && b.vx * nx + b.vy * ny > 0;
-    b.pushed |= massA == INFINITE && a.vx * nx + a.vy * ny < 0;
-    boolean stuck = isStuck(a) || isStuck(b);
-    boolean faint = stuck && (isFaint(a, approach) || isFaint(b, approach));
+    boolean stuck = isStuck(a, e) || isStuck(b, e);
     if (un < 0) {
       if (stuck) {
         impulse.of(1, ux, uy, nx, ny);
@@ -190,13 +181,9 @@ public final class PairResponse {
     if (stuck) {
       log.setOutcome(ImpactRows.JAMMED);
     }
-    if (faint) {
-      a.jam = IgnoreList.with(a.jam, Codes.circle(b.id));
-      b.jam = IgnoreList.with(b.jam, Codes.circle(a.id));
-    }
     beginFlight(a, b);
     beginFlight(b, a);
-    return stuck && !faint ? ObstacleResponse.STUCK : ObstacleResponse.NEW_FLIGHT;
+    return stuck ? ObstacleResponse.STUCK : ObstacleResponse.NEW_FLIGHT;
   }
 
   /**
@@ -208,9 +195,6 @@ public final class PairResponse {
     double length = Math.sqrt(nx * nx + ny * ny);
     double approach = -un / length;
     double pull = ((a.gx - b.gx) * nx + (a.gy - b.gy) * ny) / length;
-    double speed = scaled(Math.abs(ux) + Math.abs(uy), fast);
-    ImpactRule.count(a, flownA * speed, false, mass(b) == INFINITE && b.vx * nx + b.vy * ny > 0);
-    ImpactRule.count(b, flownB * speed, false, mass(a) == INFINITE && a.vx * nx + a.vy * ny < 0);
     a.landing = MovingCircle.NOTHING;
     b.landing = MovingCircle.NOTHING;
     boolean hasMember = a.isMember() || b.isMember();
@@ -252,27 +236,8 @@ public final class PairResponse {
     return m.isCrushed() ? INFINITE : registry.mass(m.id);
   }
 
-  private static boolean isStuck(MovingCircle m) {
-    return !m.isCrushed() && StuckRule.isStuck(m);
-  }
-
-  private static boolean isFaint(MovingCircle m, double approach) {
-    return !m.isCrushed() && StuckRule.isFaint(m, approach);
-  }
-
-  private void count(
-      MovingCircle m,
-      double flown,
-      MovingCircle other,
-      double massOfOther,
-      double e,
-      double approach) {
-    if (!m.isCrushed()) {
-      double speed = scaled(Math.abs(ux) + Math.abs(uy), fast);
-      int elastic = massOfOther == INFINITE ? StuckRule.ELASTIC : StuckRule.ELASTIC_PAIR;
-      StuckRule.count(
-          m, flown, speed, speeds(m, other), approach, e, elastic, StuckRule.PUSHED_PLACE);
-    }
+  private static boolean isStuck(MovingCircle m, double e) {
+    return !m.isCrushed() && ImpactRule.isStuck(m, e);
   }
 
   private void change(
@@ -285,8 +250,8 @@ public final class PairResponse {
       push(a, -1, massB, massA, nx, ny);
       push(b, 1, massA, massB, nx, ny);
     }
-    boolean aStops = StopRule.stopsBeyondRange(a);
-    boolean bStops = StopRule.stopsBeyondRange(b);
+    boolean aStops = ImpactRule.stopsBeyondRange(a);
+    boolean bStops = ImpactRule.stopsBeyondRange(b);
     if (aStops || bStops) {
       log.setOutcome(ImpactRows.STOPPED);
     } else if (halt) {
@@ -295,15 +260,8 @@ public final class PairResponse {
   }
 
   private static void beginFlight(MovingCircle m, MovingCircle other) {
-    m.turn = 0;
     m.last = Codes.circle(other.id);
     m.newFlight();
-  }
-
-  /** Writes a row for two circles in contact, the lower number first, with their approach. */
-  void report(MovingCircle a, MovingCircle b, ImpactRows log) {
-    measure(a, b, 0);
-    write(a, b, log);
   }
 
   /** Computes the relative velocity of two circles, their offset, and their approach. */

@@ -16,6 +16,7 @@ import dev.carom.internal.util.IntList;
 import dev.carom.internal.util.Kind;
 import dev.carom.internal.util.Part;
 import java.util.Arrays;
+import java.util.stream.IntStream;
 
 /**
  * The geometry of contact: what a circle of radius r at c can touch, with the unit normal n from
@@ -39,8 +40,8 @@ final class Parts {
   static final byte DISK = 2;
   static final byte VERTEX = 3;
 
-  /** Ends of moving lines are at one place up to the rounding of where they are: 64 ulps. */
-  private static final double SAME_PLACE = 0x1p-46;
+  /** From here on squares of lengths have all their bits. */
+  private static final double LEAST_SQUARE = 0x1p-900;
 
   private final ObstacleTable obstacles;
   private final CircleRegistry registry;
@@ -81,6 +82,7 @@ final class Parts {
 
   private double fastest;
   private boolean stale = true;
+  private double tail;
 
   // The answer of touches.
   double normalX;
@@ -105,6 +107,12 @@ final class Parts {
 
   boolean isStale() {
     return stale;
+  }
+
+  /** Forgets all parts, for times with a given tail. */
+  void update(double tailOfTimes) {
+    tail = tailOfTimes;
+    update();
   }
 
   /** Forgets all parts, and finds the velocities of what moves. */
@@ -186,7 +194,8 @@ final class Parts {
   // Search.
 
   /** Adds the parts that are nearer to a member now than a given distance, by their keys. */
-  void near(Members members, int i, ContactHost host, double reach, double now, IntList into) {
+  void near(
+      Members members, int i, ContactSurroundings host, double reach, double now, IntList into) {
     double px = members.xAt(i, now);
     double py = members.yAt(i, now);
     codes.clear();
@@ -247,6 +256,13 @@ final class Parts {
   /** The code of the obstacle that a part belongs to; of a vertex, the lowest one. */
   int code(int part) {
     return code[part];
+  }
+
+  /** The codes of the obstacles that a part belongs to: of a vertex, all lines that end there. */
+  int[] codes(int part) {
+    return kind[part] == VERTEX
+        ? IntStream.of(links[part]).map(side -> code[side]).toArray()
+        : new int[] {code[part]};
   }
 
   /** The {@link Part} that a part is. */
@@ -441,7 +457,8 @@ final class Parts {
     }
     double apartX = endX(side, which) - x[vertex];
     double apartY = endY(side, which) - y[vertex];
-    double most = moves(vertex) ? SAME_PLACE * (Math.abs(x[vertex]) + Math.abs(y[vertex])) : 0;
+    double most =
+        moves(vertex) ? ContactLaw.TOUCH * (Math.abs(x[vertex]) + Math.abs(y[vertex])) : 0;
     return Math.abs(apartX) + Math.abs(apartY) <= most;
   }
 
@@ -497,7 +514,7 @@ final class Parts {
 
   private void loadRow(int its, double now) {
     if (obstacles.moves(its)) {
-      obstacles.place(obstacles.motions().indexOf(its), now, 0, row);
+      obstacles.place(obstacles.motions().indexOf(its), now, tail, row);
     } else {
       ObstacleRows rows = obstacles.of(its);
       System.arraycopy(rows.values, rows.offset(its), row, 0, rows.shape.row);
@@ -505,6 +522,13 @@ final class Parts {
   }
 
   // Geometry.
+
+  /** The length of a vector of any size. */
+  static double length(double x, double y) {
+    double square = x * x + y * y;
+    boolean isSafe = square > LEAST_SQUARE && square < 1 / LEAST_SQUARE;
+    return isSafe ? Math.sqrt(square) : StrictMath.hypot(x, y);
+  }
 
   /** The distance of a part, with its ends, from a place. */
   double distanceTo(int part, double px, double py) {
@@ -518,7 +542,7 @@ final class Parts {
       qx -= along * dx[part];
       qy -= along * dy[part];
     }
-    return Math.sqrt(qx * qx + qy * qy) - radius[part];
+    return length(qx, qy) - radius[part];
   }
 
   /** The distance of an obstacle or a circle of infinite mass from a place at a time. */
@@ -550,7 +574,7 @@ final class Parts {
     if (kind[part] == VERTEX && isSpanned(part, filter, px, py)) {
       return false;
     }
-    double d = Math.sqrt(qx * qx + qy * qy);
+    double d = length(qx, qy);
     normalX = qx / d;
     normalY = qy / d;
     distance = d - radius[part];

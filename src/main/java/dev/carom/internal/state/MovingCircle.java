@@ -18,7 +18,7 @@ import dev.carom.internal.sweep.Coordinates;
  */
 public final class MovingCircle {
 
-  /** The sum of weights of impacts at one place beyond which a circle is stuck. */
+  /** Impacts at one place are counted up to this number. */
   public static final int STUCK_LIMIT = 1 << 24;
 
   /** No obstacle or circle: nothing was hit yet, or nothing since the last edit. */
@@ -151,19 +151,10 @@ public final class MovingCircle {
   /** How far the next search looks ahead where less is needed, see {@link #FIRST_LOOKAHEAD}. */
   public int lookahead;
 
-  /** The weight of the successive impacts at one place, see {@code StuckRule}. */
+  /** The number of successive impacts at one place, see {@code ImpactRule}. */
   public int stuck;
 
-  /** The exponent of the largest speed in these impacts. */
-  public int speedExponent;
-
-  /**
-   * The turn of the velocity in the last of them, if its restitution was 0: 1 left, -1 right; else
-   * 0.
-   */
-  public int turn;
-
-  /** Whether one of them was with an infinite mass that moved towards the circle. */
+  /** Whether one of them was with something infinite that moved towards the circle. */
   public boolean pushed;
 
   /** Starts the first flight of a circle, at time 0. */
@@ -311,14 +302,12 @@ public final class MovingCircle {
     last = NOTHING;
     settled = false;
     leavePlace();
-    speedExponent = Double.MIN_EXPONENT;
   }
 
   /** Resets the count of impacts at one place. */
   public void leavePlace() {
     jam = null;
     stuck = 0;
-    turn = 0;
     pushed = false;
   }
 
@@ -334,11 +323,6 @@ public final class MovingCircle {
     if (jam != null) {
       jam = jam.withoutCrushers();
     }
-  }
-
-  /** Whether a number is a valid weight of impacts at one place. */
-  public static boolean isStuckWeight(int weight) {
-    return weight >= 0 && weight <= STUCK_LIMIT + 1;
   }
 
   /**

@@ -58,7 +58,6 @@ class CircleFieldsTest {
         set(m, field, next++);
       }
     }
-    m.turn = 1;
     m.mode = MovingCircle.ALONE;
     m.contactRow = null;
     m.contact = Contact.END;
@@ -99,7 +98,7 @@ class CircleFieldsTest {
       MovingCircle m = new MovingCircle();
       m.start(0, 1, 2, 3, 4, 5, 0.5);
       Object before = field.get(m);
-      boolean isSmall = Set.of("turn", "contact", "mode").contains(name);
+      boolean isSmall = Set.of("contact", "mode").contains(name);
       set(m, field, isSmall ? 1 : 70);
       if (MOMENTUM.contains(name)) {
         m.mode = MovingCircle.AWAKE;
