@@ -57,7 +57,7 @@ public abstract class Engine {
     staticScene = new StaticScene(scene, options);
     circles.setFilters(registry, staticScene.obstacles);
     gravity = new Gravity(scene.gx, scene.gy);
-    response = new ObstacleResponse(staticScene.obstacles, gravity, staticScene::near);
+    response = new ObstacleResponse(staticScene.obstacles, gravity, staticScene::addNear);
     if (gravity.acts()) {
       circles.allowGravity();
     }

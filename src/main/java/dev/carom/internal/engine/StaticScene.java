@@ -72,11 +72,6 @@ public final class StaticScene {
     return m.cleared <= end ? m.next : MovingCircle.NOTHING;
   }
 
-  /** The codes of all obstacles that may touch a circle at its position, and maybe of others. */
-  int[] near(MovingCircle m) {
-    return search.near(m, grid(m.id));
-  }
-
   /** Adds the codes of obstacles near a circle, see {@link FlightSearch#addNear}. */
   void addNear(MovingCircle m, double reach, double now, IntList into) {
     search.addNear(m, grid(m.id), reach, now, into);

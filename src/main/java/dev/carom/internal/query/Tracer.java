@@ -5,6 +5,7 @@ import dev.carom.internal.exact.ExactBudget;
 import dev.carom.internal.exact.ExactTime;
 import dev.carom.internal.response.LoneContact;
 import dev.carom.internal.response.ObstacleResponse;
+import dev.carom.internal.response.Shock;
 import dev.carom.internal.search.FlightSearch;
 import dev.carom.internal.search.Grid;
 import dev.carom.internal.search.ObstacleIndex;
@@ -100,7 +101,9 @@ public final class Tracer {
    */
   public TracedPath trace(MovingCircle body, double duration, int bounces, int most) {
     grid = index.grid(body.radius);
-    ObstacleResponse response = new ObstacleResponse(obstacles, gravity, m -> search.near(m, grid));
+    ObstacleResponse response = new ObstacleResponse(obstacles, gravity, this::addNear);
+    Shock shock = new Shock(null, obstacles, this::addNear, null);
+    response.ask(shock);
     LoneContact contact = new LoneContact(obstacles, null, gravity, this::addNear);
     DoubleList flights = new DoubleList();
     ImpactRows impacts = new ImpactRows(1);
@@ -121,8 +124,14 @@ public final class Tracer {
         contact.tick(body, impacts);
       } else if (body.isMember()) {
         contact.meet(body, impacts);
-      } else if (response.resolve(body, impacts) == ObstacleResponse.JOIN) {
-        contact.join(body, impacts);
+      } else {
+        int result = response.resolve(body, impacts);
+        if (result == ObstacleResponse.JOIN) {
+          contact.join(body, impacts);
+        } else if (result == ObstacleResponse.STUCK) {
+          shock.resolve(impacts, body);
+          impacts.cut(count + 1); // a contact counts once, whatever acts with it
+        }
       }
       add(body, flights);
     }

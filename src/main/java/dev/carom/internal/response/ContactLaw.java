@@ -2,9 +2,8 @@
 package dev.carom.internal.response;
 
 /**
- * The constants of contact under gravity, of which no other number decides anything there. Units
- * are the radius R of a circle, the size g of gravity, the length tau of a tick, and the kick
- * {@code g tau}.
+ * The constants of contact. Units are the radius R of a circle, the size g of gravity, the length
+ * tau of a tick, and the kick {@code g tau}.
  */
 final class ContactLaw {
 
@@ -66,11 +65,30 @@ final class ContactLaw {
    */
   static final double MASS_RATIO = 0x1p40;
 
-  /** In radii: a hop off a flat side that is lower is none. */
+  /**
+   * In radii: a hop off a flat side that is lower is none. In coordinates: a way that is shorter
+   * leaves a circle at one place. The sine of an angle that is none: a blow along a side leaves a
+   * circle there.
+   */
   static final double FLAT = 0x1p-40;
 
   /** The number of impacts of one circle at one place after which it is stuck. */
   static final int IMPACTS = 24;
+
+  /** At restitutions from 1 on, so many times more impacts at one place are possible. */
+  static final int ELASTIC = 64;
+
+  /**
+   * In radii: the width of a place for a circle that something pushes. An elastic one of speed v
+   * before something of speed u makes some {@code v / u} impacts while the room halves.
+   */
+  static final double PUSHED = 0x1p-6;
+
+  /** In units of the speed: an approach up to this is rounding, some ulps of the velocity. */
+  static final double ROUNDED = 0x1p-48;
+
+  /** In ulps of the coordinates: a lower step, and a smaller gap at a joint, are none. */
+  static final double ULPS = 8;
 
   /** In units of the coordinates: what is as near as 64 ulps touches, or is at one place. */
   static final double TOUCH = 0x1p-46;

@@ -26,24 +26,6 @@ final class ImpactRule {
   static final int SLIDE = 1;
   static final int JOIN = 2;
 
-  /** In ulps of the coordinates: a lower step is rounding. */
-  static final double STEP_ULPS = 8;
-
-  /** In units of the coordinates: a circle that moved by no more is at one place. */
-  static final double PLACE = 0x1p-40;
-
-  /**
-   * In radii: the same for a circle that something pushes. An elastic one of speed v before
-   * something of speed u makes some {@code v / u} impacts while the room halves.
-   */
-  private static final double PUSHED_PLACE = 0x1p-6;
-
-  /** At restitutions from 1 on, so many times more impacts at one place are possible. */
-  static final int ELASTIC = 64;
-
-  /** An approach up to this part of the speed is rounding: some ulps of the velocity. */
-  static final double ROUNDED_SPEED = 0x1p-48;
-
   private final Gravity gravity;
 
   /** The last radius and size of gravity, and a slow approach for them. */
@@ -78,7 +60,7 @@ final class ImpactRule {
       return;
     }
     m.pushed |= pushes;
-    if (way > (m.pushed ? PUSHED_PLACE * m.radius : PLACE * size(m))) {
+    if (way > (m.pushed ? ContactLaw.PUSHED * m.radius : ContactLaw.FLAT * size(m))) {
       m.leavePlace();
       m.pushed = pushes;
     } else if (!again) {
@@ -91,7 +73,8 @@ final class ImpactRule {
   }
 
   private static boolean isMany(MovingCircle m, double e) {
-    return m.stuck > ContactLaw.IMPACTS && (e < 1 || m.stuck > ContactLaw.IMPACTS * ELASTIC);
+    return m.stuck > ContactLaw.IMPACTS
+        && (e < 1 || m.stuck > ContactLaw.IMPACTS * ContactLaw.ELASTIC);
   }
 
   /** Whether a circle is stuck without gravity; without bounce the second impact would do. */
@@ -101,12 +84,12 @@ final class ImpactRule {
 
   /** Whether a stuck circle stays so, whatever new velocities it gets. */
   static boolean isHopeless(MovingCircle m) {
-    return m.stuck > ContactLaw.IMPACTS * (ELASTIC + 1);
+    return m.stuck > ContactLaw.IMPACTS * (ContactLaw.ELASTIC + 1);
   }
 
   /** Whether an approach is no more than rounding of a speed. */
   static boolean isFaint(double approach, double speed) {
-    return Math.abs(approach) <= ROUNDED_SPEED * speed;
+    return Math.abs(approach) <= ContactLaw.ROUNDED * speed;
   }
 
   /** Stops a circle whose velocity an impact made infinite or NaN; returns whether it did. */
@@ -130,7 +113,7 @@ final class ImpactRule {
    * d / r}.
    */
   static double turn(MovingCircle m) {
-    return 2 * STEP_ULPS * Math.ulp(size(m)) / m.radius;
+    return 2 * ContactLaw.ULPS * Math.ulp(size(m)) / m.radius;
   }
 
   /** The rule for a circle that meets an obstacle; flat: a side, on no other one. */

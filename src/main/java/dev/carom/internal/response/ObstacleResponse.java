@@ -7,8 +7,8 @@ import dev.carom.internal.state.IgnoreList;
 import dev.carom.internal.state.ImpactRows;
 import dev.carom.internal.state.MovingCircle;
 import dev.carom.internal.state.ObstacleTable;
+import dev.carom.internal.util.IntList;
 import dev.carom.internal.util.Part;
-import java.util.function.Function;
 import java.util.function.Predicate;
 
 /**
@@ -59,12 +59,11 @@ public final class ObstacleResponse {
   final Sliding sliding;
   final ImpactRule rule;
 
-  /** The codes of obstacles that a circle may touch, ascending. */
-  private final Function<MovingCircle, int[]> near;
+  private final LoneContact.Nearby nearby;
+  private final IntList near = new IntList();
 
-  public ObstacleResponse(
-      ObstacleTable obstacles, Gravity gravity, Function<MovingCircle, int[]> near) {
-    this.near = near;
+  public ObstacleResponse(ObstacleTable obstacles, Gravity gravity, LoneContact.Nearby nearby) {
+    this.nearby = nearby;
     this.obstacles = obstacles;
     sliding = new Sliding(obstacles, gravity);
     rule = new ImpactRule(gravity);
@@ -126,7 +125,11 @@ public final class ObstacleResponse {
     m.newFlight();
     ImpactRule.count(m, flown * (Math.abs(m.vx) + Math.abs(m.vy)), false, false);
     boolean isMany = m.stuck > ContactLaw.IMPACTS;
-    for (int code : near.apply(m)) {
+    near.clear();
+    nearby.obstaclesNear(m, Shock.touchOf(m), m.t, near);
+    near.sort(0);
+    for (int k = 0; k < near.size(); k++) {
+      int code = near.get(k);
       if (code != line && !isMany && sliding.slidesOnto(m, code)) {
         return NEW_FLIGHT;
       }

@@ -10,15 +10,15 @@ import dev.carom.internal.state.MovingCircle;
 import dev.carom.internal.state.ObstacleTable;
 import dev.carom.internal.util.Index;
 import dev.carom.internal.util.IntList;
-import dev.carom.internal.util.Kind;
 import dev.carom.internal.util.Part;
 import java.util.ArrayList;
+import java.util.Arrays;
 import java.util.Collection;
-import java.util.HashMap;
+import java.util.HashSet;
 import java.util.LinkedHashSet;
 import java.util.List;
-import java.util.Map;
 import java.util.Set;
+import java.util.stream.IntStream;
 
 /**
  * Contact without gravity, where there is no clock: all that touches a circle that is stuck, and
@@ -59,7 +59,7 @@ public final class Shock {
   /** Circles in contact, at the time of the impact; those of infinite mass only stand there. */
   private final List<MovingCircle> bodies = new ArrayList<>();
 
-  private final Map<Integer, Integer> numbers = new HashMap<>();
+  private final Set<Integer> slots = new HashSet<>();
   private final IntList near = new IntList();
 
   /** The pairs in contact, and whether each acted. */
@@ -81,6 +81,7 @@ public final class Shock {
   private int exponent;
 
   /**
+   * @param registry null for a circle of no world
    * @param others null if circles ignore each other
    */
   public Shock(
@@ -104,11 +105,7 @@ public final class Shock {
     Set<MovingCircle> changed = new LinkedHashSet<>(List.of(hit));
     gather(hit);
     list(hit[0]);
-    boolean hopeless = false;
-    for (MovingCircle m : hit) {
-      hopeless |= ImpactRule.isHopeless(m);
-    }
-    boolean solved = !hopeless && solve();
+    boolean solved = Arrays.stream(hit).noneMatch(ImpactRule::isHopeless) && solve();
     while (!solved && crush(changed)) {
       solved = solve();
     }
@@ -150,7 +147,7 @@ public final class Shock {
   }
 
   /** Things touch if they are no further apart. */
-  private static double touchOf(MovingCircle m) {
+  static double touchOf(MovingCircle m) {
     return ContactLaw.TOUCH * ImpactRule.size(m);
   }
 
@@ -166,7 +163,7 @@ public final class Shock {
 
   private void gather(MovingCircle... hit) {
     bodies.clear();
-    numbers.clear();
+    slots.clear();
     touch = 0;
     for (MovingCircle m : hit) {
       forgetCrushersOf(m);
@@ -181,7 +178,7 @@ public final class Shock {
   }
 
   private void add(MovingCircle m) {
-    numbers.put(m.id, bodies.size());
+    slots.add(m.id);
     bodies.add(m);
   }
 
@@ -191,7 +188,7 @@ public final class Shock {
     near.sort(0);
     for (int c = 0; c < near.size(); c++) {
       int slot = near.get(c);
-      if (!numbers.containsKey(slot) && !registry.isSensor(slot) && !registry.isSensor(m.id)) {
+      if (!slots.contains(slot) && !registry.isSensor(slot)) {
         MovingCircle other = broughtTo(m, others.copyOf(slot));
         if (gap(m, Codes.circle(slot)) <= touch) {
           forgetCrushersOf(other);
@@ -222,7 +219,7 @@ public final class Shock {
       members.radius[k] = m.radius;
       double inverse = n == 1 ? 1 : 1 / registry.mass(m.id); // all are alike among obstacles
       members.inverseMass[k] = m.isCrushed() ? 0 : inverse;
-      members.filter[k] = registry.filter(m.id);
+      members.filter[k] = m.filter;
       members.x[k] = m.x;
       members.y[k] = m.y;
       graph.enter(k);
@@ -308,20 +305,23 @@ public final class Shock {
   /** Finds the velocities; false if some contact still approaches. */
   private boolean solve() {
     System.arraycopy(before, 0, after, 0, before.length);
-    int alone = Index.NONE;
-    for (int k = 0; k < bodies.size(); k++) {
-      if (weight(k) > 0) {
-        alone = alone == Index.NONE ? k : bodies.size();
-      }
+    if (isSolved()) {
+      return true;
     }
-    if (alone < bodies.size()) {
-      return alone == Index.NONE || solveAlone(alone);
+    int[] free = IntStream.range(0, bodies.size()).filter(k -> weight(k) > 0).toArray();
+    if (free.length <= 1) {
+      return free.length == 0 || solveAlone(free[0]);
     }
     sweep();
+    return isSolved();
+  }
+
+  /** Whether no contact approaches by more than rounding. */
+  private boolean isSolved() {
     boolean solved = true;
     for (int c = 0; c < contacts.size(); c++) {
       int k = contacts.get(c);
-      solved &= weightOf(k) == 0 || pairs.opening(after, k) >= -ImpactRule.ROUNDED_SPEED;
+      solved &= weightOf(k) == 0 || pairs.opening(after, k) >= -ContactLaw.ROUNDED;
     }
     return solved;
   }
@@ -341,7 +341,7 @@ public final class Shock {
     }
     long visits = sweeps.visits;
     sweeps.load(graph.order, graph.awake, before);
-    sweeps.solve(ImpactRule.ROUNDED_SPEED / 4, ContactLaw.WORK);
+    sweeps.solve(ContactLaw.ROUNDED / 4, ContactLaw.WORK);
     sweeps.store(graph.order, after);
     ExactBudget.addRelaxations((int) (sweeps.visits - visits));
     int s = 0;
@@ -349,7 +349,7 @@ public final class Shock {
       int k = contacts.get(c);
       if (weightOf(k) > 0) {
         pairs.impulse[k] = sweeps.impulse(s++);
-        acted[c] |= pairs.impulse[k] * weightOf(k) > ImpactRule.ROUNDED_SPEED;
+        acted[c] |= pairs.impulse[k] * weightOf(k) > ContactLaw.ROUNDED;
       }
     }
   }
@@ -365,10 +365,10 @@ public final class Shock {
         double y = sign * pairs.ny[k];
         int j = sign > 0 ? pairs.other[k] : pairs.owner[k];
         planes.add(x, y, pairs.drift[k] + before[2 * j] * x + before[2 * j + 1] * y);
-        acted[c] |= pairs.opening(before, k) < -ImpactRule.ROUNDED_SPEED;
+        acted[c] |= pairs.opening(before, k) < -ContactLaw.ROUNDED;
       }
     }
-    boolean is = planes.nearest(before[2 * i], before[2 * i + 1], ImpactRule.ROUNDED_SPEED);
+    boolean is = planes.nearest(before[2 * i], before[2 * i + 1], ContactLaw.ROUNDED);
     after[2 * i] = planes.x;
     after[2 * i + 1] = planes.y;
     return is;
@@ -462,23 +462,21 @@ public final class Shock {
         : Math.max(pairs.owner[k], pairs.other[k]) == 1;
   }
 
+  /** Writes a row of a contact; of two circles the lower one first. */
   private void report(int k, ImpactRows log) {
-    MovingCircle a = bodies.get(pairs.owner[k]);
-    int code = codeOf(k, pairs.owner[k]);
-    boolean turns = Codes.isCircle(code) && Codes.slot(code) < a.id;
-    int part = pairs.part[k] < 0 ? Part.CIRCLE : parts.feature(pairs.part[k]);
-    double nx = pairs.nx[k];
-    double ny = pairs.ny[k];
-    double x = a.x - a.radius * nx;
-    double y = a.y - a.radius * ny;
+    int part = pairs.part[k];
+    int i = pairs.owner[k];
+    int j = pairs.other[k];
+    boolean turns = part < 0 && bodies.get(j).id < bodies.get(i).id;
+    int first = turns ? j : i;
+    MovingCircle m = bodies.get(first);
+    int code = codeOf(k, first);
+    double nx = turns ? -pairs.nx[k] : pairs.nx[k];
+    double ny = turns ? -pairs.ny[k] : pairs.ny[k];
+    int feature = part < 0 ? Part.CIRCLE : parts.feature(part);
+    log.add(m.t, m.id, Codes.kind(code), Codes.index(code), feature);
     double speed = Math.scalb(pairs.opening(before, k), exponent);
-    if (turns) {
-      log.add(a.t, Codes.slot(code), Kind.CIRCLE, a.id, part);
-      log.set(x, y, -nx, -ny, speed);
-    } else {
-      log.add(a.t, a.id, Codes.kind(code), Codes.index(code), part);
-      log.set(x, y, nx, ny, speed);
-    }
+    log.set(m.x - m.radius * nx, m.y - m.radius * ny, nx, ny, speed);
     log.setOutcome(ImpactRows.JAMMED);
   }
 
@@ -487,8 +485,7 @@ public final class Shock {
       stopApproach(contacts.get(c));
     }
     for (int k = 0; k < bodies.size(); k++) {
-      boolean isNoise =
-          Math.abs(after[2 * k]) + Math.abs(after[2 * k + 1]) < ImpactRule.ROUNDED_SPEED;
+      boolean isNoise = Math.abs(after[2 * k]) + Math.abs(after[2 * k + 1]) < ContactLaw.ROUNDED;
       MovingCircle m = bodies.get(k);
       double vx = isNoise ? 0 : Math.scalb(after[2 * k], exponent) + 0.0; // 0 for -0
       double vy = isNoise ? 0 : Math.scalb(after[2 * k + 1], exponent) + 0.0;
@@ -518,31 +515,24 @@ public final class Shock {
 
   /** Two that part or approach by rounding ignore each other. */
   private void ignore(int k, Set<MovingCircle> changed) {
+    int part = pairs.part[k];
     MovingCircle a = bodies.get(pairs.owner[k]);
-    if (pairs.part[k] < 0) {
-      MovingCircle b = bodies.get(pairs.other[k]);
-      boolean moves = a.vx != b.vx || a.vy != b.vy;
-      if (moves && weightOf(k) > 0 && !PairResponse.part(a, b)) {
-        a.jam = IgnoreList.with(a.jam, Codes.circle(b.id));
-        b.jam = IgnoreList.with(b.jam, Codes.circle(a.id));
-        changed.add(a);
-        changed.add(b);
-      }
+    MovingCircle b = part < 0 ? bodies.get(pairs.other[k]) : null;
+    double ux = b == null ? parts.vx[part] : b.vx;
+    double uy = b == null ? parts.vy[part] : b.vy;
+    double opening = (a.vx - ux) * pairs.nx[k] + (a.vy - uy) * pairs.ny[k];
+    double speeds = Math.abs(a.vx) + Math.abs(a.vy) + Math.abs(ux) + Math.abs(uy);
+    boolean moves = (a.vx != ux || a.vy != uy) && weightOf(k) > 0;
+    if (!moves || !ImpactRule.isFaint(opening, speeds)) {
       return;
     }
-    int part = pairs.part[k];
-    double ux = a.vx - parts.vx[part];
-    double uy = a.vy - parts.vy[part];
-    double speeds =
-        Math.abs(a.vx) + Math.abs(a.vy) + Math.abs(parts.vx[part]) + Math.abs(parts.vy[part]);
-    boolean moves = ux != 0 || uy != 0;
-    if (moves
-        && weightOf(k) > 0
-        && ImpactRule.isFaint(ux * pairs.nx[k] + uy * pairs.ny[k], speeds)) {
-      for (int code : parts.codes(part)) {
-        a.jam = IgnoreList.with(a.jam, code);
-      }
-      changed.add(a);
+    for (int code : b == null ? parts.codes(part) : new int[] {Codes.circle(b.id)}) {
+      a.jam = IgnoreList.with(a.jam, code);
+    }
+    changed.add(a);
+    if (b != null) {
+      b.jam = IgnoreList.with(b.jam, Codes.circle(a.id));
+      changed.add(b);
     }
   }
 }

@@ -14,12 +14,6 @@ import dev.carom.internal.sweep.LineShape;
  */
 public final class Sliding {
 
-  /** At a joint, gaps of so many ulps are none. */
-  private static final double JOINT_ULPS = 8;
-
-  /** The sine of an angle that is none: a blow along a side leaves a circle there. */
-  private static final double LEVEL = 1e-12;
-
   private final ObstacleTable obstacles;
   private final Gravity gravity;
   private final Impulse impulse = new Impulse();
@@ -90,7 +84,7 @@ public final class Sliding {
       take(m, m.support);
       double across = wx * ny - wy * nx;
       double size = (Math.abs(wx) + Math.abs(wy)) * (Math.abs(nx) + Math.abs(ny));
-      if (Math.abs(across) > LEVEL * size) {
+      if (Math.abs(across) > ContactLaw.FLAT * size) {
         lift(m);
         fall(m);
       } else {
@@ -114,7 +108,7 @@ public final class Sliding {
   /** Puts a circle off its one-way line, which would not keep one that is inside by rounding. */
   private void lift(MovingCircle m) {
     if (obstacles.isOneWay(m.support)) {
-      double up = JOINT_ULPS * Math.ulp(size(m)) / Math.sqrt(wx * wx + wy * wy);
+      double up = ContactLaw.ULPS * Math.ulp(size(m)) / Math.sqrt(wx * wx + wy * wy);
       m.x -= up * wy;
       m.y += up * wx;
     }
@@ -181,12 +175,12 @@ public final class Sliding {
     }
     take(m, code);
     double size = (Math.abs(wx) + Math.abs(wy)) * (Math.abs(nx) + Math.abs(ny));
-    return size > 0 && Math.abs(wx * nx + wy * ny) <= LEVEL * size; // a point has no side
+    return size > 0 && Math.abs(wx * nx + wy * ny) <= ContactLaw.FLAT * size; // a point has no side
   }
 
   /** So near to its end a line carries no circle: others may end in the same place. */
   private static double end(MovingCircle m, double length) {
-    return JOINT_ULPS * (Math.ulp(size(m)) + Math.ulp(length + size(m)));
+    return ContactLaw.ULPS * (Math.ulp(size(m)) + Math.ulp(length + size(m)));
   }
 
   private static double size(MovingCircle m) {
@@ -234,7 +228,7 @@ public final class Sliding {
     double along = (wx * (m.vx - ux) + wy * (m.vy - uy)) / length;
     double out = (wx * (m.vy - uy) - wy * (m.vx - ux)) / length;
     double pressure = -side * (wx * gravity.y - wy * gravity.x) / length;
-    double near = JOINT_ULPS * Math.ulp(size(m));
+    double near = ContactLaw.ULPS * Math.ulp(size(m));
     double behind = along > 0 ? from : length - from;
     boolean carries =
         Math.abs(side * height - m.radius) <= near

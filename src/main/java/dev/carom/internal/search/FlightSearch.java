@@ -9,10 +9,6 @@ import dev.carom.internal.state.MovingCircle;
 import dev.carom.internal.state.ObstacleMotions;
 import dev.carom.internal.state.ObstacleTable;
 import dev.carom.internal.util.IntList;
-import dev.carom.internal.util.Kind;
-import java.util.Arrays;
-import java.util.stream.IntStream;
-import java.util.stream.Stream;
 
 /**
  * Finds the next impact of a flight with an obstacle: among those at rest by {@link StraightSearch}
@@ -245,23 +241,5 @@ public final class FlightSearch {
         into.add(motions.code(i));
       }
     }
-  }
-
-  /** The codes of all obstacles that touch a circle at its place, and perhaps of others near it. */
-  public int[] near(MovingCircle m, Grid grid) {
-    if (grid == null) {
-      return obstacles.codes().toArray();
-    }
-    ObstacleMotions motions = obstacles.motions();
-    return Stream.of(
-            obstacles.codes(Kind.WALL),
-            Arrays.stream(loose.codes, 0, loose.size),
-            IntStream.range(0, motions.count()).map(motions::code),
-            grid.listedAt(m.x, m.y))
-        .flatMapToInt(codes -> codes)
-        .filter(code -> Codes.isWall(code) || !obstacles.isGone(code))
-        .sorted()
-        .distinct()
-        .toArray();
   }
 }

@@ -7,8 +7,6 @@ import dev.carom.internal.state.ObstacleTable;
 import dev.carom.internal.sweep.ObstacleShape;
 import dev.carom.internal.util.IntList;
 import java.util.Arrays;
-import java.util.stream.IntStream;
-import java.util.stream.LongStream;
 
 /**
  * A uniform grid over the lines and pegs of a scene. Each cell lists all obstacles that a circle of
@@ -218,26 +216,6 @@ public final class Grid {
       }
     }
     return box;
-  }
-
-  /**
-   * The codes of the obstacles that a circle centred here could touch; none outside of the grid.
-   */
-  IntStream listedAt(double x, double y) {
-    if (!contains(x, y)) {
-      return IntStream.empty();
-    }
-    long list = lists[number(column(columns(x)), row(rows(y)))];
-    boolean isLong = !CellList.isPairOfLines(list) && !CellList.areOthers(list);
-    int from = isLong ? CellList.start(list) : 0;
-    int to = from;
-    while (isLong && CellList.isMore(pairs[to])) {
-      to++;
-    }
-    LongStream all = isLong ? Arrays.stream(pairs, from, to + 1) : LongStream.of(list);
-    return all.flatMap(pair -> LongStream.of(CellList.first(pair), CellList.second(pair)))
-        .mapToInt(code -> (int) code)
-        .filter(code -> !Codes.isWall(code));
   }
 
   /**

@@ -182,7 +182,12 @@ public final class ImpactRows {
 
   /** Removes the row added last. */
   public void removeLast() {
-    size--;
+    cut(size - 1);
+  }
+
+  /** Keeps only the first so many rows, in the order in which they were added. */
+  public void cut(int rows) {
+    size = rows;
   }
 
   /**

@@ -31,7 +31,7 @@ class ObstacleResponseTest {
       new ObstacleResponse(
           ObstacleTable.of(Internals.data(Scene.builder().line(0, 0, 10, 10).build())),
           new Gravity(0, 0),
-          m -> new int[0]);
+          (m, reach, now, into) -> {});
   private final ImpactRows rows = new ImpactRows(1);
   private final ImpactLog log = Internals.log(rows);
   private final MovingCircle m = new MovingCircle();
