@@ -20,7 +20,7 @@ import java.util.Set;
 final class JamCheck {
 
   /** Rows at one place until a circle is jammed. */
-  static final int MOST = 2_000;
+  static final int MOST = 3_000;
 
   /** The part of its coordinates by which a circle at one place moves at most from row to row. */
   private static final double PLACE = 0x1p-41;
