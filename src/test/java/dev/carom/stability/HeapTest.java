@@ -111,7 +111,7 @@ class HeapTest {
                 .circle(1.9, 3, 1, 0, 0)
                 .restitution(0)
                 .build());
-    assertThat(play(world, 11, 0)).isLessThanOrEqualTo(50);
+    assertThat(play(world, 11, 0)).isLessThanOrEqualTo(20);
     assertThat(world.x(0)).isCloseTo(2, within(1e-13));
     assertThat(world.y(0)).isBetween(0.0, 1e-6);
   }

@@ -84,6 +84,9 @@ final class ContactLaw {
    */
   static final double PUSHED = 0x1p-6;
 
+  /** In radii: the width of a place where impacts take motion away, and of a contact of circles. */
+  static final double PLACE = 0x1p-16;
+
   /** In units of the speed: an approach up to this is rounding, some ulps of the velocity. */
   static final double ROUNDED = 0x1p-48;
 

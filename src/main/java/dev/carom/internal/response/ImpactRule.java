@@ -48,19 +48,31 @@ final class ImpactRule {
     return slow;
   }
 
+  /** The same with places of the least width. */
+  static void count(MovingCircle m, double way, boolean again, boolean pushes) {
+    count(m, way, ContactLaw.FLAT * size(m), again, pushes);
+  }
+
+  /** The width of a place without gravity: wider where an impact takes motion away. */
+  static double place(MovingCircle m, double e) {
+    double least = ContactLaw.FLAT * size(m);
+    return e < 1 ? Math.max(least, ContactLaw.PLACE * m.radius) : least;
+  }
+
   /**
    * Counts impacts of a circle at one place. Bounces on one thing do not count.
    *
    * @param way how far it moved since the last one, relative to what it hits
+   * @param place the width of a place
    * @param again whether it hits the same thing again
    * @param pushes whether that moves towards it, and does not give way
    */
-  static void count(MovingCircle m, double way, boolean again, boolean pushes) {
+  static void count(MovingCircle m, double way, double place, boolean again, boolean pushes) {
     if (m.isCrushed()) {
       return;
     }
     m.pushed |= pushes;
-    if (way > (m.pushed ? ContactLaw.PUSHED * m.radius : ContactLaw.FLAT * size(m))) {
+    if (way > (m.pushed ? ContactLaw.PUSHED * m.radius : place)) {
       m.leavePlace();
       m.pushed = pushes;
     } else if (!again) {

@@ -103,7 +103,8 @@ public final class ObstacleResponse {
     }
     double e = m.restitution * obstacles.restitution(code);
     boolean pushes = point.ux * point.nx + point.uy * point.ny > 0;
-    ImpactRule.count(m, flown * (Math.abs(sx) + Math.abs(sy)), false, pushes);
+    double way = flown * (Math.abs(sx) + Math.abs(sy));
+    ImpactRule.count(m, way, ImpactRule.place(m, e), false, pushes);
     boolean stuck = ImpactRule.isStuck(m, e);
     m.ignoreCirclesOnly();
     change(m, code, vn, stuck ? 0 : e, log);

@@ -166,9 +166,21 @@ public final class PairResponse {
       return ObstacleResponse.NEW_FLIGHT;
     }
     double speed = scaled(Math.abs(ux) + Math.abs(uy), fast);
-    ImpactRule.count(a, flownA * speed, false, massB == INFINITE && b.vx * nx + b.vy * ny > 0);
-    ImpactRule.count(b, flownB * speed, false, massA == INFINITE && a.vx * nx + a.vy * ny < 0);
-    if (mayFall && (a.isFalling() || b.isFalling())) {
+    boolean falls = mayFall && (a.isFalling() || b.isFalling());
+    double kept = falls ? 1 : e;
+    ImpactRule.count(
+        a,
+        flownA * speed,
+        ImpactRule.place(a, kept),
+        false,
+        massB == INFINITE && b.vx * nx + b.vy * ny > 0);
+    ImpactRule.count(
+        b,
+        flownB * speed,
+        ImpactRule.place(b, kept),
+        false,
+        massA == INFINITE && a.vx * nx + a.vy * ny < 0);
+    if (falls) {
       return resolveFalling(a, b, e, halt, log);
     }
     boolean stuck = isStuck(a, e) || isStuck(b, e);

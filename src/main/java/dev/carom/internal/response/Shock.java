@@ -167,7 +167,8 @@ public final class Shock {
     touch = 0;
     for (MovingCircle m : hit) {
       forgetCrushersOf(m);
-      touch = Math.max(touch, touchOf(m));
+      double width = hit.length == 1 ? 0 : ContactLaw.PLACE * m.radius;
+      touch = Math.max(touch, Math.max(width, touchOf(m)));
       add(m);
     }
     for (int k = 0; k < bodies.size() && others != null; k++) { // the list grows
