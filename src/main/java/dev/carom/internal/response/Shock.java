@@ -110,7 +110,7 @@ public final class Shock {
       solved = solve();
     }
     if (!solved) {
-      joinAll();
+      joinAll(hit.length == 1);
     }
     for (int c = 0; c < contacts.size(); c++) {
       if (acted[c] && !isHit(contacts.get(c), hit)) {
@@ -426,8 +426,8 @@ public final class Shock {
   }
 
   /** Gives all the velocity of their common momentum, or stops them if one is held. */
-  private void joinAll() {
-    boolean held = false;
+  private void joinAll(boolean hitsObstacle) {
+    boolean held = hitsObstacle;
     for (int c = 0; c < contacts.size(); c++) {
       int k = contacts.get(c);
       held |= weightOf(k) > 0 && (weight(pairs.owner[k]) == 0 || weight(pairs.other[k]) == 0);
