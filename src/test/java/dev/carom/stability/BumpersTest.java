@@ -37,16 +37,25 @@ class BumpersTest {
 
   @Tag("long")
   @ParameterizedTest
-  @CsvSource({"1.2, true", "1.5, true", "1.5, false", "3, true", "3, false"})
-  void nobodyLeavesTheBounds(double e, boolean collide) {
+  @CsvSource({
+    "1.2, true, true",
+    "1.5, true, true",
+    "1.5, false, false",
+    "3, true, false",
+    "3, false, false"
+  })
+  void nobodyLeavesTheBounds(double e, boolean collide, boolean outruns) {
     World world = crowd(e, collide);
     Timeline past = world.record(2);
     boolean unfinished = false;
     double fastest = 0;
     for (int frame = 0; frame < 12; frame++) {
       unfinished |= !world.step(1);
+      for (int row = 0; row < world.impacts().size(); row++) {
+        double speed = world.impacts().approachSpeed(row);
+        fastest = speed > fastest ? speed : fastest; // beyond the range of doubles it is NaN
+      }
       for (int i = 0; i < world.circleCount(); i++) {
-        fastest = Math.max(fastest, Math.hypot(world.vx(i), world.vy(i)));
         assertInside(world.x(i), frame, i);
         assertInside(world.y(i), frame, i);
         assertThat(past.x(i, world.now())).isEqualTo(world.x(i));
@@ -54,7 +63,7 @@ class BumpersTest {
       }
       world.setVelocity(frame, world.vx(frame), world.vy(frame)); // begins a new flight there
     }
-    assertThat(unfinished).as("circles that outrun the clock").isEqualTo(collide);
+    assertThat(unfinished).as("circles that outrun the clock").isEqualTo(outruns);
     if (collide) {
       assertThat(fastest).isGreaterThan(1e20);
     }

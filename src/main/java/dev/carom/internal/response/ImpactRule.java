@@ -53,10 +53,10 @@ final class ImpactRule {
     count(m, way, ContactLaw.FLAT * size(m), again, pushes);
   }
 
-  /** The width of a place without gravity: wider where an impact takes motion away. */
+  /** The width of a place without gravity: wider where an impact takes or adds motion. */
   static double place(MovingCircle m, double e) {
     double least = ContactLaw.FLAT * size(m);
-    return e < 1 ? Math.max(least, ContactLaw.PLACE * m.radius) : least;
+    return e == 1 ? least : Math.max(least, ContactLaw.PLACE * m.radius);
   }
 
   /**
@@ -89,9 +89,9 @@ final class ImpactRule {
         && (e < 1 || m.stuck > ContactLaw.IMPACTS * ContactLaw.ELASTIC);
   }
 
-  /** Whether a circle is stuck without gravity; without bounce the second impact would do. */
+  /** Whether a circle is stuck without gravity; without bounce the second impact does. */
   static boolean isStuck(MovingCircle m, double e) {
-    return e == 0 ? m.stuck > 0 : isMany(m, e);
+    return e == 0 ? m.stuck > 0 : isMany(m, e == 1 ? 1 : 0);
   }
 
   /** Whether a stuck circle stays so, whatever new velocities it gets. */
