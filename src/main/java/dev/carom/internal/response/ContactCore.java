@@ -357,8 +357,10 @@ public final class ContactCore {
     int k = Math.max(0, squeeze.pressed(flights.u, clock.due - now));
     int i = p.owner[k];
     int part = p.part[k];
-    int code = part < 0 ? Codes.circle(p.other[k]) : parts.code(part);
-    host.jammed(i, code, part < 0 ? Part.CIRCLE : parts.feature(part), p.nx[k], p.ny[k]);
+    long filter = members.filter[i];
+    int code = part < 0 ? Codes.circle(p.other[k]) : parts.code(part, filter);
+    int feature = part < 0 ? Part.CIRCLE : parts.feature(part, filter);
+    host.jammed(i, code, feature, p.nx[k], p.ny[k]);
     cuts = 0;
     members.mode[i] = Members.FROZEN;
     members.jammed[i] = true;
@@ -518,7 +520,7 @@ public final class ContactCore {
     }
     double up = Math.max(0, opening) + p.drift[k];
     leave(i);
-    int side = opening <= kick ? parts.code(part) : Index.NONE;
+    int side = opening <= kick ? parts.code(part, members.filter[i]) : Index.NONE;
     host.frees(i, along * tx + up * nx, along * ty + up * ny, side);
     return true;
   }

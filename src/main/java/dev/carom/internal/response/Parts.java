@@ -253,9 +253,19 @@ final class Parts {
     return (long) code[part] << 2 | end[part];
   }
 
-  /** The code of the obstacle that a part belongs to; of a vertex, the lowest one. */
-  int code(int part) {
-    return code[part];
+  /** The code of the obstacle that a part belongs to; of a vertex, the lowest that is met. */
+  int code(int part, long filter) {
+    return code[met(part, filter)];
+  }
+
+  /** The side of a vertex with the lowest code that a circle can meet; any other part itself. */
+  private int met(int part, long filter) {
+    int lowest = part;
+    for (int side : kind[part] == VERTEX ? links[part] : new int[0]) {
+      boolean isLower = lowest == part || code[side] < code[lowest];
+      lowest = isLower && Filter.meet(filter, obstacles.filter(code[side])) ? side : lowest;
+    }
+    return lowest;
   }
 
   /** The codes of the obstacles that a part belongs to: of a vertex, all lines that end there. */
@@ -265,11 +275,11 @@ final class Parts {
         : new int[] {code[part]};
   }
 
-  /** The {@link Part} that a part is. */
-  int feature(int part) {
+  /** The {@link Part} that a part is, of the obstacle with its {@link #code}. */
+  int feature(int part, long filter) {
     return switch (kind[part]) {
       case SIDE, WALL -> Part.SIDE;
-      case VERTEX -> end[part] == 1 ? Part.START : Part.END;
+      case VERTEX -> links[met(part, filter)][0] == part ? Part.START : Part.END;
       default -> Codes.isLine(code[part]) ? Part.START : Part.CIRCLE;
     };
   }

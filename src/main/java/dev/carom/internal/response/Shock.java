@@ -261,7 +261,7 @@ public final class Shock {
   private boolean isPassedOver(int k) {
     MovingCircle a = bodies.get(pairs.owner[k]);
     if (pairs.part[k] >= 0) {
-      return a.jam != null && a.jam.isCrushedBy(parts.code(pairs.part[k]));
+      return a.jam != null && a.jam.isCrushedBy(parts.code(pairs.part[k], a.filter));
     }
     MovingCircle b = bodies.get(pairs.other[k]);
     return pairs.round[k] == 0
@@ -420,7 +420,7 @@ public final class Shock {
   /** The code of the party of a pair that is not circle i. */
   private int codeOf(int k, int i) {
     if (pairs.part[k] >= 0) {
-      return parts.code(pairs.part[k]);
+      return parts.code(pairs.part[k], bodies.get(i).filter);
     }
     return Codes.circle(bodies.get(pairs.owner[k] == i ? pairs.other[k] : pairs.owner[k]).id);
   }
@@ -474,10 +474,11 @@ public final class Shock {
     int code = codeOf(k, first);
     double nx = turns ? -pairs.nx[k] : pairs.nx[k];
     double ny = turns ? -pairs.ny[k] : pairs.ny[k];
-    int feature = part < 0 ? Part.CIRCLE : parts.feature(part);
+    int feature = part < 0 ? Part.CIRCLE : parts.feature(part, m.filter);
     log.add(m.t, m.id, Codes.kind(code), Codes.index(code), feature);
     double speed = Math.scalb(pairs.opening(before, k), exponent);
-    log.set(m.x - m.radius * nx, m.y - m.radius * ny, nx, ny, speed);
+    double d = m.radius + (part < 0 ? 0 : pairs.gap[k]);
+    log.set(m.x - d * nx, m.y - d * ny, nx, ny, speed);
     log.setOutcome(ImpactRows.JAMMED);
   }
 
