@@ -113,11 +113,13 @@ class ShockTest {
   }
 
   private static double x(int i, int rows) {
-    return 2 * (i % rows) + i / rows;
+    int row = i / rows;
+    return 2 * (i % rows) + row;
   }
 
   private static double y(int i, int rows) {
-    return i / rows * Math.sqrt(3);
+    int row = i / rows;
+    return row * Math.sqrt(3);
   }
 
   private static void check(World world, int rows, double[][] v) {
