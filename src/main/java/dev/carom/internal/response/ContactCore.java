@@ -290,9 +290,10 @@ public final class ContactCore {
       graph.carry(now);
     }
     graph.measure(momenta.v, clock.tau);
-    boolean changed = now >= clock.due && leave(now);
+    boolean isWhole = now >= clock.due; // after a cut, momenta are not yet those of what is there
+    boolean changed = isWhole && leave(now);
     changed |= rest.wake(now, gx, gy, clock.tau);
-    changed |= rest.freeze(now, clock);
+    changed |= isWhole && rest.freeze(now, clock);
     changed |= unjam(now);
     if (changed || !graph.covers(momenta.v, now, clock.tau)) {
       settle(now);
