@@ -32,12 +32,6 @@ import java.util.stream.IntStream;
  */
 public final class ContactCore {
 
-  /** Below this multiple of gravity the change of a momentum is an acceleration. */
-  private static final double STEADY = 2;
-
-  /** Rounds of squeezing before flights are secured. */
-  private static final int SQUEEZES = 6;
-
   private final Members members;
   private final Parts parts;
   private final ContactHost host;
@@ -583,13 +577,13 @@ public final class ContactCore {
     flights.part(h);
     flights.pass(h, clock.slow());
     boolean goesOn = driven;
-    for (int round = 0; goesOn && round < SQUEEZES && squeeze.anyMeets(u, h); round++) {
+    for (int round = 0; goesOn && round < ContactLaw.CUTS && squeeze.anyMeets(u, h); round++) {
       goesOn = squeeze.solve(u, h, cuts);
       graph.measure(u, h);
     }
     boolean safe = flights.secure(h, ContactLaw.PUSHES);
     for (int round = 0; safe && !graph.covers(u, now, h); round++) {
-      if (round == SQUEEZES) {
+      if (round == ContactLaw.CUTS) {
         return false; // speeds beyond the range of doubles leave every list
       }
       graph.list(u, now, h);
@@ -624,7 +618,8 @@ public final class ContactCore {
     } else if (span > 0) {
       double ax = (vx - members.vx[i]) / span;
       double ay = (vy - members.vy[i]) / span;
-      boolean steady = ax * ax + ay * ay <= STEADY * STEADY * g * g;
+      double most = ContactLaw.STEADY * g;
+      boolean steady = ax * ax + ay * ay <= most * most;
       members.ax[i] = steady ? ax : 0;
       members.ay[i] = steady ? ay : 0;
     }

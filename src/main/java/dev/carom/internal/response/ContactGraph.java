@@ -16,12 +16,6 @@ import java.util.Arrays;
  */
 final class ContactGraph {
 
-  /** The margin of a circle that is fast has so many standoffs more. */
-  private static final double MARGIN_STANDOFFS = 20;
-
-  /** In margins: what is listed is nearer, wherever the circle moved since. */
-  private static final double FAR = 3;
-
   private final Members members;
   private final Parts parts;
   private final ContactSurroundings host;
@@ -145,7 +139,8 @@ final class ContactGraph {
     for (int g = 0; g < awake; g++) {
       int i = order[g];
       near.clear();
-      parts.near(members, i, host, FAR * margin[i], now, near); // this makes the vertices
+      parts.near(
+          members, i, host, ContactLaw.FAR * margin[i], now, near); // this makes the vertices
       for (int k = pairs.start[g]; k < pairs.start[g + 1]; k++) {
         boolean isPart = pairs.other[k] == members.count;
         int part = isPart ? parts.ofKey(pairs.key[k], now) : Index.NONE;
@@ -189,7 +184,7 @@ final class ContactGraph {
       int i = order[k];
       double r = members.radius[i];
       double fast = ContactLaw.MARGIN_TICKS * path(q, i, time);
-      double slow = MARGIN_STANDOFFS * ContactLaw.STANDOFF * r;
+      double slow = ContactLaw.MARGIN_STANDOFFS * ContactLaw.STANDOFF * r;
       margin[i] = Math.max(ContactLaw.MARGIN * r, fast + slow) + 2 * fastest * time + slack;
       listX[i] = members.x[i];
       listY[i] = members.y[i];

@@ -8,16 +8,6 @@ package dev.carom.internal.response;
  */
 final class Flights {
 
-  /** Rounds of shortening after which there are no safe flights; the first ones keep a part. */
-  private static final int ROUNDS = 500;
-
-  private static final int GENTLE_ROUNDS = 8;
-
-  private static final double SHORTER = 0.9;
-
-  /** Of the overlap with the standoff that flights take back in one tick. */
-  private static final double BACK = 0.3;
-
   private final Members members;
   private final ContactGraph graph;
   private final Momenta momenta;
@@ -94,7 +84,7 @@ final class Flights {
     for (int k = 0; k < p.size; k++) {
       double low = p.standoff[k] / 2;
       double back = low - p.gap[k];
-      double goal = isDeep(k) ? 0 : (back > 0 ? BACK * back : back) / h;
+      double goal = isDeep(k) ? 0 : (back > 0 ? ContactLaw.BACK * back : back) / h;
       if (p.felt[k] && (p.gap[k] < 4 * low || p.opening(u, k) < goal)) {
         close[closeCount] = k;
         impulse[closeCount] = 0;
@@ -139,7 +129,7 @@ final class Flights {
       if (gather(q, h) && planes.nearest(x, y)) {
         double dx = planes.x - x;
         double dy = planes.y - y;
-        double most = slow + 0.5 * Math.sqrt(x * x + y * y);
+        double most = slow + (ContactLaw.NEWCOMER - 1) * Math.sqrt(x * x + y * y);
         if (dx * dx + dy * dy <= most * most) {
           u[a] = planes.x;
           u[a + 1] = planes.y;
@@ -197,8 +187,8 @@ final class Flights {
    * @return false if that does not end, as where something moves
    */
   boolean secure(double h, int pushes) {
-    for (int round = 0; round <= ROUNDS; round++) {
-      if (!secureOnce(h, round < pushes, round < pushes + GENTLE_ROUNDS)) {
+    for (int round = 0; round <= ContactLaw.ROUNDS; round++) {
+      if (!secureOnce(h, round < pushes, round < pushes + ContactLaw.GENTLE_ROUNDS)) {
         return true;
       }
     }
@@ -219,7 +209,7 @@ final class Flights {
         if (pushes) {
           push(k, -(gap - Math.min(gap, p.standoff[k]) / 2) / h - opening);
         } else {
-          double rest = gently && gap > 0 ? SHORTER * gap / (-opening * h) : 0;
+          double rest = gently && gap > 0 ? ContactLaw.SHORTER * gap / (-opening * h) : 0;
           shorten(p.owner[k], rest);
           shorten(p.other[k], rest);
         }

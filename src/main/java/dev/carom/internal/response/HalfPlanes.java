@@ -81,7 +81,7 @@ final class HalfPlanes {
       offer(vx + need * nx[i], vy + need * ny[i], vx, vy, i, i);
       for (int j = 0; j < count; j++) {
         double det = nx[i] * ny[j] - nx[j] * ny[i];
-        if (j == i || Math.abs(det) < 1e-9) continue;
+        if (j == i || Math.abs(det) < ContactLaw.FLAT) continue;
         double cx = (least[i] * ny[j] - least[j] * ny[i]) / det;
         double cy = (nx[i] * least[j] - nx[j] * least[i]) / det;
         offer(cx, cy, vx, vy, i, j);

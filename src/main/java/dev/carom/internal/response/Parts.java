@@ -596,7 +596,7 @@ final class Parts {
     if (from >= 0 && from <= length[side]) {
       return true;
     }
-    if (distance < r * (1 - 1e-9)) {
+    if (distance < r * (1 - ContactLaw.SLACK)) {
       return false; // it overlaps an end, and passes that first
     }
     double to = from + mx * dx[side] + my * dy[side];

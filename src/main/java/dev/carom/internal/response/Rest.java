@@ -237,7 +237,7 @@ final class Rest {
     int part = p.part[k];
     double fx = members.frameX[i] - (part >= 0 ? parts.vx[part] : members.frameX[j]);
     double fy = members.frameY[i] - (part >= 0 ? parts.vy[part] : members.frameY[j]);
-    boolean parted = Math.abs(fx * p.nx[k] + fy * p.ny[k]) > 1e-9 * clock.slow();
+    boolean parted = Math.abs(fx * p.nx[k] + fy * p.ny[k]) > ContactLaw.FLAT * clock.slow();
     boolean isFixed = part >= 0 || members.isFrozen(j);
     int half = ContactLaw.CALM_TICKS / 2;
     boolean disturbsJ = !isFixed && (parted || !isCalm(i, half, now, clock));

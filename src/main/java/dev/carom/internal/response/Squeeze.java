@@ -12,22 +12,8 @@ import dev.carom.internal.util.Index;
  */
 final class Squeeze {
 
-  private static final int SWEEPS = 64;
-
-  /** Sweeps between two looks at the result. */
-  private static final int ROUND = 8;
-
   /** Its multiples spread evenly: the golden ratio. */
   private static final double SPREAD = 0.618033988749895;
-
-  /** Normals are opposite if their cosine is less. */
-  private static final double OPPOSITE = -0.9;
-
-  /** The sine of an angle that is none. */
-  private static final double STRAIGHT = 1e-9;
-
-  /** So many times the speed of what drives is the speed aside of what it squeezes. */
-  private static final double ASIDE = 6;
 
   private final Links links;
   private final double gx;
@@ -107,7 +93,7 @@ final class Squeeze {
       if (isAtPart(k, reach) && driven[q]) {
         double dx = parts.vx[p.part[k]] - driveX[q];
         double dy = parts.vy[p.part[k]] - driveY[q];
-        inside[q] |= dx * p.nx[k] + dy * p.ny[k] > 1e-9 * parts.fastest();
+        inside[q] |= dx * p.nx[k] + dy * p.ny[k] > ContactLaw.FLAT * parts.fastest();
       }
     }
     for (int k = 0; k < p.size; k++) {
@@ -160,7 +146,7 @@ final class Squeeze {
         double sb = links.sign(i, b);
         NearPairs p = graph.pairs;
         double cosine = sa * sb * (p.nx[a] * p.nx[b] + p.ny[a] * p.ny[b]);
-        if (presses(a) && presses(b) && cosine < OPPOSITE) {
+        if (presses(a) && presses(b) && cosine < ContactLaw.OPPOSITE) {
           fly(u, i, sa * p.nx[a], sa * p.ny[a], sb * p.nx[b], sb * p.ny[b]);
           return;
         }
@@ -179,14 +165,14 @@ final class Squeeze {
     double ty = ax - bx;
     double bulge = (ax + bx) * tx + (ay + by) * ty;
     double up = -(gx * tx + gy * ty) / Math.sqrt(gx * gx + gy * gy);
-    double way = Math.abs(bulge) > STRAIGHT ? bulge : up;
-    if (Math.abs(way) <= STRAIGHT) {
+    double way = Math.abs(bulge) > ContactLaw.FLAT ? bulge : up;
+    if (Math.abs(way) <= ContactLaw.FLAT) {
       return; // either side is as good
     }
     double length = Math.copySign(Math.sqrt(tx * tx + ty * ty), way);
     tx /= length;
     ty /= length;
-    double more = ASIDE * parts.fastest() - u[2 * i] * tx - u[2 * i + 1] * ty;
+    double more = ContactLaw.ASIDE * parts.fastest() - u[2 * i] * tx - u[2 * i + 1] * ty;
     if (more > 0) {
       u[2 * i] += more * tx;
       u[2 * i + 1] += more * ty;
@@ -237,8 +223,10 @@ final class Squeeze {
     fill(h);
     sweeps.load(graph.order, graph.awake, u);
     boolean done = false;
-    for (int s = 0; s < (SWEEPS << (2 * cuts)) && !done; s += ROUND) {
-      sweeps.solve(0, ROUND);
+    for (int s = 0;
+        s < (ContactLaw.SQUEEZE_SWEEPS << (2 * cuts)) && !done;
+        s += ContactLaw.SQUEEZE_ROUND) {
+      sweeps.solve(0, ContactLaw.SQUEEZE_ROUND);
       done = isSafe(h);
     }
     sweeps.store(graph.order, u);
