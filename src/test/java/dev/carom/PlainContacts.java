@@ -5,7 +5,6 @@ import dev.carom.internal.response.ContactCore;
 import dev.carom.internal.response.ContactHost;
 import dev.carom.internal.state.CircleTable;
 import dev.carom.internal.state.Codes;
-import dev.carom.internal.state.ImpactRows;
 import dev.carom.internal.state.MovingCircle;
 import dev.carom.internal.util.Index;
 import dev.carom.internal.util.IntList;
@@ -157,18 +156,7 @@ final class PlainContacts implements ContactHost {
   @Override
   public void flies(int slot) {
     MovingCircle m = world.bodies.get(slot);
-    m.x = core.x(slot);
-    m.y = core.y(slot);
-    m.t = core.since(slot);
-    m.tl = 0;
-    m.join(core.mode(slot));
-    m.vx = core.flightX(slot);
-    m.vy = core.flightY(slot);
-    m.px = core.velocityX(slot, m.t);
-    m.py = core.velocityY(slot, m.t);
-    m.ax = core.accelerationX(slot);
-    m.ay = core.accelerationY(slot);
-    m.newFlight();
+    core.put(slot, m);
     world.begin(m);
     world.note(m);
   }
@@ -176,27 +164,15 @@ final class PlainContacts implements ContactHost {
   @Override
   public void frees(int slot, double vx, double vy, int side) {
     MovingCircle m = world.bodies.get(slot);
-    m.x = core.x(slot);
-    m.y = core.y(slot);
-    m.t = core.since(slot);
-    m.tl = 0;
-    m.vx = vx;
-    m.vy = vy;
-    m.fall(world.gravity.x, world.gravity.y);
-    m.landing = side;
-    m.settled = true;
-    m.last = MovingCircle.NOTHING;
-    m.newFlight();
+    core.free(slot, vx, vy, side, m);
     world.begin(m);
     world.note(m);
   }
 
   @Override
   public void jammed(int slot, int code, int part, double nx, double ny) {
-    double r = world.bodies.get(slot).radius;
-    ImpactRows rows = world.rows;
-    rows.add(core.since(slot), slot, Codes.kind(code), Codes.index(code), part);
-    rows.set(core.x(slot) - r * nx, core.y(slot) - r * ny, nx, ny, 0);
-    rows.setOutcome(ImpactRows.JAMMED);
+    MovingCircle m = world.bodies.get(slot);
+    core.place(slot, m);
+    world.rows.addJammed(m, code, part, m.radius, nx, ny, 0);
   }
 }

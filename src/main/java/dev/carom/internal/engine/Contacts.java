@@ -288,18 +288,7 @@ final class Contacts implements ContactHost, Shock.Others {
   @Override
   public void flies(int slot) {
     circles.load(slot, body);
-    body.x = core.x(slot);
-    body.y = core.y(slot);
-    body.t = core.since(slot);
-    body.tl = 0;
-    body.join(core.mode(slot));
-    body.vx = core.flightX(slot);
-    body.vy = core.flightY(slot);
-    body.px = core.velocityX(slot, body.t);
-    body.py = core.velocityY(slot, body.t);
-    body.ax = core.accelerationX(slot);
-    body.ay = core.accelerationY(slot);
-    body.newFlight();
+    core.put(slot, body);
     engine.beginMember(body, isAlone());
   }
 
@@ -311,26 +300,15 @@ final class Contacts implements ContactHost, Shock.Others {
   @Override
   public void frees(int slot, double vx, double vy, int side) {
     circles.load(slot, body);
-    body.x = core.x(slot);
-    body.y = core.y(slot);
-    body.t = core.since(slot);
-    body.tl = 0;
-    body.vx = vx;
-    body.vy = vy;
-    body.fall(gravity.x, gravity.y);
-    body.landing = side;
-    body.settled = true;
-    body.last = MovingCircle.NOTHING;
-    body.newFlight();
+    core.free(slot, vx, vy, side, body);
     engine.beginFreed(body);
     freed.add(slot);
   }
 
   @Override
   public void jammed(int slot, int code, int part, double nx, double ny) {
-    double r = circles.radius(slot);
-    log.add(core.since(slot), slot, Codes.kind(code), Codes.index(code), part);
-    log.set(core.x(slot) - r * nx, core.y(slot) - r * ny, nx, ny, 0);
-    log.setOutcome(ImpactRows.JAMMED);
+    circles.load(slot, body);
+    core.place(slot, body);
+    log.addJammed(body, code, part, body.radius, nx, ny, 0);
   }
 }

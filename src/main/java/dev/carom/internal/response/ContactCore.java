@@ -119,11 +119,6 @@ public final class ContactCore {
     return i < members.count && members.isAwake(i);
   }
 
-  /** The mode of a circle, as {@link MovingCircle#mode}. */
-  public int mode(int i) {
-    return members.jammed[i] ? MovingCircle.JAMMED : members.mode[i];
-  }
-
   /** Whether contact keeps a member from what moves: it is awake, or something passes over it. */
   public boolean isKeptApart(int i) {
     return isMember(i) && (members.isAwake(i) || members.jammed[i]);
@@ -138,41 +133,46 @@ public final class ContactCore {
             || (members.ux[i] == members.ux[j] && members.uy[i] == members.uy[j]));
   }
 
-  public double x(int i) {
-    return members.x[i];
-  }
-
-  public double y(int i) {
-    return members.y[i];
-  }
-
-  public double since(int i) {
-    return members.since[i];
-  }
-
-  public double flightX(int i) {
-    return members.ux[i];
-  }
-
-  public double flightY(int i) {
-    return members.uy[i];
-  }
-
   /** The momentum of a member, by its mass, at a time. */
   public double velocityX(int i, double time) {
-    return members.vx[i] + accelerationX(i) * (time - momentTime);
+    return members.vx[i] + members.rise[i] * gx * (time - momentTime);
   }
 
   public double velocityY(int i, double time) {
-    return members.vy[i] + accelerationY(i) * (time - momentTime);
+    return members.vy[i] + members.rise[i] * gy * (time - momentTime);
   }
 
-  public double accelerationX(int i) {
-    return members.rise[i] * gx;
+  /** Puts a circle where a member began its flight. */
+  public void place(int i, MovingCircle m) {
+    m.x = members.x[i];
+    m.y = members.y[i];
+    m.t = members.since[i];
+    m.tl = 0;
   }
 
-  public double accelerationY(int i) {
-    return members.rise[i] * gy;
+  /** Puts a circle on the flight of a member. */
+  public void put(int i, MovingCircle m) {
+    place(i, m);
+    m.join(members.jammed[i] ? MovingCircle.JAMMED : members.mode[i]);
+    m.vx = members.ux[i];
+    m.vy = members.uy[i];
+    m.px = velocityX(i, m.t);
+    m.py = velocityY(i, m.t);
+    m.ax = members.rise[i] * gx;
+    m.ay = members.rise[i] * gy;
+    m.newFlight();
+  }
+
+  /** Lets a circle fall freely on from where it was a member; see {@link ContactHost#frees}. */
+  public void free(int i, double vx, double vy, int side, MovingCircle m) {
+    place(i, m);
+    m.vx = vx;
+    m.vy = vy;
+    m.fall(gx, gy);
+    m.landing = side;
+    m.settled = true;
+    m.last = MovingCircle.NOTHING;
+    m.newFlight();
   }
 
   /** An approach that is slow for a circle of a given radius, with its own clock. */

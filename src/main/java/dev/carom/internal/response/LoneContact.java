@@ -2,7 +2,6 @@
 package dev.carom.internal.response;
 
 import dev.carom.internal.state.CircleRegistry;
-import dev.carom.internal.state.Codes;
 import dev.carom.internal.state.ContactRow;
 import dev.carom.internal.state.Gravity;
 import dev.carom.internal.state.ImpactRows;
@@ -43,13 +42,11 @@ public final class LoneContact implements ContactHost {
   private double gx;
   private double gy;
 
-  // The present circle: the time, the log, and its velocity if it is free again.
+  // The present circle, the time, the log, and whether it is free again.
+  private MovingCircle present;
   private double now;
   private ImpactRows log;
   private boolean isFree;
-  private double freeX;
-  private double freeY;
-  private int landing;
 
   public LoneContact(
       ObstacleTable obstacles, CircleRegistry registry, Gravity gravity, Nearby nearby) {
@@ -118,6 +115,7 @@ public final class LoneContact implements ContactHost {
     core.describe(SLOT, m.radius, 1, m.restitution, m.filter);
     place.id = m.id;
     place.radius = m.radius;
+    present = m;
     this.now = now;
     this.log = log;
     isFree = false;
@@ -130,29 +128,11 @@ public final class LoneContact implements ContactHost {
 
   /** Gives the circle the flight that it has now. */
   private void take(MovingCircle m) {
-    m.x = core.x(SLOT);
-    m.y = core.y(SLOT);
-    m.t = now;
-    m.tl = 0;
-    if (isFree) {
-      m.vx = freeX;
-      m.vy = freeY;
-      m.fall(gx, gy);
-      m.landing = landing;
-      m.settled = true;
-    } else {
-      m.join(core.mode(SLOT));
-      m.vx = core.flightX(SLOT);
-      m.vy = core.flightY(SLOT);
-      m.px = core.velocityX(SLOT, now);
-      m.py = core.velocityY(SLOT, now);
-      m.ax = core.accelerationX(SLOT);
-      m.ay = core.accelerationY(SLOT);
+    if (!isFree) {
+      core.put(SLOT, m);
       core.changed(); // the list is made anew in each tick
       m.contactRow = core.save(SLOT, registry);
     }
-    m.last = MovingCircle.NOTHING;
-    m.newFlight();
     core.clear();
   }
 
@@ -176,15 +156,12 @@ public final class LoneContact implements ContactHost {
   @Override
   public void frees(int slot, double vx, double vy, int side) {
     isFree = true;
-    freeX = vx;
-    freeY = vy;
-    landing = side;
+    core.free(slot, vx, vy, side, present);
   }
 
   @Override
   public void jammed(int slot, int code, int part, double nx, double ny) {
-    log.add(now, place.id, Codes.kind(code), Codes.index(code), part);
-    log.set(place.x - place.radius * nx, place.y - place.radius * ny, nx, ny, 0);
-    log.setOutcome(ImpactRows.JAMMED);
+    core.place(slot, present);
+    log.addJammed(present, code, part, present.radius, nx, ny, 0);
   }
 }

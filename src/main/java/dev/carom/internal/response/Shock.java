@@ -477,11 +477,9 @@ public final class Shock {
     double nx = turns ? -pairs.nx[k] : pairs.nx[k];
     double ny = turns ? -pairs.ny[k] : pairs.ny[k];
     int feature = part < 0 ? Part.CIRCLE : parts.feature(part, m.filter);
-    log.add(m.t, m.id, Codes.kind(code), Codes.index(code), feature);
     double speed = Math.scalb(pairs.opening(before, k), exponent);
     double d = m.radius + (part < 0 ? 0 : pairs.gap[k]);
-    log.set(m.x - d * nx, m.y - d * ny, nx, ny, speed);
-    log.setOutcome(ImpactRows.JAMMED);
+    log.addJammed(m, code, feature, d, nx, ny, speed);
   }
 
   private void change(Set<MovingCircle> changed) {

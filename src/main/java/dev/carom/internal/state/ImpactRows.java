@@ -180,6 +180,14 @@ public final class ImpactRows {
     ints[k] = (ints[k] & (1 << OUTCOME) - 1) | outcome << OUTCOME;
   }
 
+  /** Appends a contact that jams a circle, at a distance d from its centre, against n. */
+  public void addJammed(
+      MovingCircle m, int code, int feature, double d, double nx, double ny, double vn) {
+    add(m.t, m.id, Codes.kind(code), Codes.index(code), feature);
+    set(m.x - d * nx, m.y - d * ny, nx, ny, vn);
+    setOutcome(JAMMED);
+  }
+
   /** Removes the row added last. */
   public void removeLast() {
     cut(size - 1);
