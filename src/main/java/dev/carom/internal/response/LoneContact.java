@@ -130,6 +130,7 @@ public final class LoneContact implements ContactHost {
   private void take(MovingCircle m) {
     if (!isFree) {
       core.put(SLOT, m);
+      m.t = now; // a jammed one stands there since an earlier tick
       core.changed(); // the list is made anew in each tick
       m.contactRow = core.save(SLOT, registry);
     }
