@@ -78,7 +78,7 @@ final class PlainContacts implements ContactHost {
     show();
     MovingCircle m = PlainState.copy(world.bodies.get(i));
     describe(m);
-    core.join(i, partner, m.t, m.x, m.y, m.vx, m.vy, m.gx, m.gy);
+    core.join(i, partner, m);
   }
 
   void joinBoth(MovingCircle a, MovingCircle b) {

@@ -118,7 +118,7 @@ final class Contacts implements ContactHost, Shock.Others {
     circles.load(i, newcomer);
     MovingCircle m = newcomer;
     describe(i, m.restitution);
-    core.join(i, partner, m.t, m.x, m.y, m.vx, m.vy, m.gx, m.gy);
+    core.join(i, partner, m);
     note(m.t);
   }
 

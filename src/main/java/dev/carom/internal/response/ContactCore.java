@@ -175,11 +175,6 @@ public final class ContactCore {
     m.newFlight();
   }
 
-  /** An approach that is slow for a circle of a given radius, with its own clock. */
-  public double slow(double radius) {
-    return clock.slowOf(radius);
-  }
-
   /** How much work was done so far, in visits of contacts. */
   public long work() {
     return momenta.sweeps.visits;
@@ -196,48 +191,40 @@ public final class ContactCore {
   }
 
   /**
-   * Makes a circle a member.
+   * Makes a circle a member, where its flight begins.
    *
    * @param partner the member that it met, or NONE
    */
-  public void join(
-      int i,
-      int partner,
-      double now,
-      double x,
-      double y,
-      double vx,
-      double vy,
-      double ax,
-      double ay) {
+  public void join(int i, int partner, MovingCircle m) {
+    double now = m.t;
     look(now);
     start(i, now);
     present++;
     members.mode[i] = Members.AWAKE;
-    members.x[i] = x;
-    members.y[i] = y;
+    members.x[i] = m.x;
+    members.y[i] = m.y;
     members.since[i] = now;
     double rise = 1;
-    if (ax != gx || ay != gy) {
-      members.vx[i] = vx;
-      members.vy[i] = vy;
-      members.fly(i, vx, vy);
+    if (m.gx != gx || m.gy != gy) {
+      members.vx[i] = m.vx;
+      members.vy[i] = m.vy;
+      members.fly(i, m.vx, m.vy);
       members.follow(i, gx, gy, g * clock.tau);
       rise = members.rise[i];
     }
-    members.vx[i] = vx + rise * gx * (momentTime - now);
-    members.vy[i] = vy + rise * gy * (momentTime - now);
-    members.ax[i] = ax;
-    members.ay[i] = ay;
+    members.vx[i] = m.vx + rise * gx * (momentTime - now);
+    members.vy[i] = m.vy + rise * gy * (momentTime - now);
+    members.ax[i] = m.gx;
+    members.ay[i] = m.gy;
     members.rise[i] = rise;
-    members.turned[i] = ax == gx && ay == gy ? 0 : Members.SHOWN;
+    members.turned[i] = m.gx == gx && m.gy == gy ? 0 : Members.SHOWN;
     members.fresh[i] = true;
     newcomers.momentTime = momentTime;
     if (partner >= 0) {
       members.fresh[partner] = true;
     }
     double half = (clock.end - now) / 2;
-    if (!newcomers.fly(i, vx + ax * half, vy + ay * half, now, clock)) {
+    if (!newcomers.fly(i, m.vx + m.gx * half, m.vy + m.gy * half, now, clock)) {
       clock.cut(now);
     }
     rest.watch(i, now);

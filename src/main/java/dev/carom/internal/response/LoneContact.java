@@ -85,7 +85,7 @@ public final class LoneContact implements ContactHost {
   /** Lets a circle join, where it is. */
   public void join(MovingCircle m, ImpactRows log) {
     begin(m, m.t, log);
-    core.join(SLOT, Index.NONE, now, m.x, m.y, m.vx, m.vy, m.gx, m.gy);
+    core.join(SLOT, Index.NONE, m);
     take(m);
   }
 
