@@ -730,7 +730,7 @@ public final class ContactCore {
     int from = awake ? p.start[rank] : 0;
     int to = awake ? p.start[rank + 1] : 0;
     double[] row = new double[ContactRow.SIZE + (to - from) * ContactRow.PAIR];
-    saveColumns(i, rank, row);
+    columns(i, rank, new ContactRow(row, false));
     for (int k = from; k < to; k++) {
       int at = ContactRow.SIZE + (k - from) * ContactRow.PAIR;
       boolean isPart = p.part[k] >= 0;
@@ -752,39 +752,56 @@ public final class ContactCore {
     return Codes.isCircle(code) ? (long) Codes.circle(registry.slot(Codes.slot(code))) << 2 : key;
   }
 
-  private void saveColumns(int i, int rank, double[] row) {
-    row[ContactRow.VX] = members.vx[i];
-    row[ContactRow.VY] = members.vy[i];
-    row[ContactRow.AX] = members.ax[i];
-    row[ContactRow.AY] = members.ay[i];
-    row[ContactRow.RISE] = members.rise[i];
-    if (rank >= 0 || members.jammed[i]) {
-      row[ContactRow.MOMENT] = momentTime;
-      row[ContactRow.TAU] = clock.tau;
-      row[ContactRow.END] = clock.end;
-      row[ContactRow.DUE] = clock.due;
-      row[ContactRow.CUTS] = cuts;
-      row[ContactRow.LONGEST] = newcomers.longest;
+  /**
+   * The columns of a member in their order, saved or restored. The clock belongs to all that are
+   * awake or jammed, the list of near pairs to those awake.
+   */
+  private void columns(int i, int rank, ContactRow f) {
+    boolean awake = members.isAwake(i);
+    boolean ticks = awake || members.jammed[i];
+    members.vx[i] = f.number(members.vx[i]);
+    members.vy[i] = f.number(members.vy[i]);
+    members.ax[i] = f.number(members.ax[i]);
+    members.ay[i] = f.number(members.ay[i]);
+    momentTime = f.number(ticks, momentTime);
+    clock.tau = f.number(ticks, clock.tau);
+    clock.end = f.number(ticks, clock.end);
+    clock.due = f.number(ticks, clock.due);
+    int turn = (int) f.number((members.fresh[i] ? 1 : 0) + 2 * members.turned[i]);
+    members.fresh[i] = (turn & 1) != 0;
+    members.turned[i] = (byte) (turn >> 1);
+    members.calmX[i] = f.number(members.calmX[i]);
+    members.calmY[i] = f.number(members.calmY[i]);
+    members.calmSince[i] = f.number(members.calmSince[i]);
+    members.frameX[i] = f.number(members.frameX[i]);
+    members.frameY[i] = f.number(members.frameY[i]);
+    members.load[i] = f.number(members.load[i]);
+    boolean lost = f.number(timesLost(i)) != 0;
+    f.number(rank);
+    boolean listed = awake && (f.reads() || (graph.isValid && !parts.isStale()));
+    graph.listX[i] = f.number(listed, graph.listX[i]);
+    graph.listY[i] = f.number(listed, graph.listY[i]);
+    graph.margin[i] = f.number(listed, graph.margin[i]);
+    graph.listTime = f.number(listed, graph.listTime);
+    graph.fastest = f.number(listed, graph.fastest);
+    boolean isGood = f.number(listed, 1) != 0;
+    newcomers.longest = f.number(ticks, newcomers.longest);
+    members.rise[i] = f.number(members.rise[i]);
+    cuts = (int) f.number(ticks, cuts);
+    if (f.reads() && awake) {
+      graph.isValid = isGood;
     }
-    row[ContactRow.FRESH] = (members.fresh[i] ? 1 : 0) + 2 * members.turned[i];
-    row[ContactRow.CALM_X] = members.calmX[i];
-    row[ContactRow.CALM_Y] = members.calmY[i];
-    row[ContactRow.CALM_SINCE] = members.calmSince[i];
-    row[ContactRow.FRAME_X] = members.frameX[i];
-    row[ContactRow.FRAME_Y] = members.frameY[i];
-    row[ContactRow.LOAD] = members.load[i];
-    row[ContactRow.RANK] = rank;
-    if (members.isAwake(i) && graph.isValid && !parts.isStale()) {
-      row[ContactRow.LISTED] = 1;
-      row[ContactRow.LIST_X] = graph.listX[i];
-      row[ContactRow.LIST_Y] = graph.listY[i];
-      row[ContactRow.MARGIN] = graph.margin[i];
-      row[ContactRow.LIST_TIME] = graph.listTime;
-      row[ContactRow.FASTEST] = graph.fastest;
+    if (f.reads() && lost) {
+      graph.lost.add(i);
     }
+  }
+
+  private int timesLost(int i) {
+    int times = 0;
     for (int k = 0; k < graph.lost.size(); k++) {
-      row[ContactRow.LOST] += graph.lost.get(k) == i ? 1 : 0;
+      times += graph.lost.get(k) == i ? 1 : 0;
     }
+    return times;
   }
 
   /** Restores a member, which was described. {@link #restored} must follow. */
@@ -799,38 +816,9 @@ public final class ContactCore {
     members.y[i] = m.y;
     members.since[i] = m.t;
     members.fly(i, m.vx, m.vy);
-    members.vx[i] = row[ContactRow.VX];
-    members.vy[i] = row[ContactRow.VY];
-    members.ax[i] = row[ContactRow.AX];
-    members.ay[i] = row[ContactRow.AY];
-    members.rise[i] = row[ContactRow.RISE];
-    members.fresh[i] = ((int) row[ContactRow.FRESH] & 1) != 0;
-    members.turned[i] = (byte) ((int) row[ContactRow.FRESH] >> 1);
-    members.calmX[i] = row[ContactRow.CALM_X];
-    members.calmY[i] = row[ContactRow.CALM_Y];
-    members.calmSince[i] = row[ContactRow.CALM_SINCE];
-    members.frameX[i] = row[ContactRow.FRAME_X];
-    members.frameY[i] = row[ContactRow.FRAME_Y];
-    members.load[i] = row[ContactRow.LOAD];
-    if (members.isAwake(i) || members.jammed[i]) {
-      momentTime = row[ContactRow.MOMENT];
-      clock.tau = row[ContactRow.TAU];
-      clock.end = row[ContactRow.END];
-      clock.due = row[ContactRow.DUE];
-      cuts = (int) row[ContactRow.CUTS];
-      newcomers.longest = row[ContactRow.LONGEST];
-    }
+    columns(i, Index.NONE, new ContactRow(row, true));
     if (members.isAwake(i)) {
       ranked.add(i);
-      graph.listX[i] = row[ContactRow.LIST_X];
-      graph.listY[i] = row[ContactRow.LIST_Y];
-      graph.margin[i] = row[ContactRow.MARGIN];
-      graph.listTime = row[ContactRow.LIST_TIME];
-      graph.fastest = row[ContactRow.FASTEST];
-      graph.isValid = row[ContactRow.LISTED] != 0;
-    }
-    if (row[ContactRow.LOST] != 0) {
-      graph.lost.add(i);
     }
   }
 
