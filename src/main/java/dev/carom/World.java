@@ -989,7 +989,7 @@ public final class World {
    * @throws IllegalStateException if this world gave all ids of lines: 268,435,452
    */
   public int addLine(double ax, double ay, double bx, double by) {
-    return edit().addLine(ax, ay, bx, by, now);
+    return edit().add(Kind.LINE, ax, ay, bx, by, now);
   }
 
   /**
@@ -1009,7 +1009,7 @@ public final class World {
    * @throws IllegalArgumentException if a coordinate is refused, as by {@link #addLine addLine}
    */
   public void moveLine(int id, double ax, double ay, double bx, double by) {
-    edit().moveLine(code(ObstacleKind.LINE, id), ax, ay, bx, by, now);
+    edit().move(code(ObstacleKind.LINE, id), ax, ay, bx, by, now);
   }
 
   /**
@@ -1025,7 +1025,7 @@ public final class World {
    * @throws IllegalStateException if this world gave all ids of pegs: 268,435,456
    */
   public int addPeg(double x, double y, double radius) {
-    return edit().addPeg(x, y, radius, now);
+    return edit().add(Kind.PEG, x, y, radius, 0, now);
   }
 
   /**
@@ -1040,7 +1040,7 @@ public final class World {
    * @throws IllegalArgumentException if a number is refused, as by {@link #addPeg addPeg}
    */
   public void movePeg(int id, double x, double y, double radius) {
-    edit().movePeg(code(ObstacleKind.PEG, id), x, y, radius, now);
+    edit().move(code(ObstacleKind.PEG, id), x, y, radius, 0, now);
   }
 
   /**

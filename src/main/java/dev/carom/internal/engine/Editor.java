@@ -215,35 +215,9 @@ public final class Editor {
 
   // Obstacles.
 
-  public int addLine(double ax, double ay, double bx, double by, double now) {
-    set(ax, ay, bx, by);
-    return add(Kind.LINE, now);
-  }
-
-  public void moveLine(int code, double ax, double ay, double bx, double by, double now) {
-    set(ax, ay, bx, by);
-    move(code, now);
-  }
-
-  public int addPeg(double x, double y, double radius, double now) {
-    set(x, y, radius, 0);
-    return add(Kind.PEG, now);
-  }
-
-  public void movePeg(int code, double x, double y, double radius, double now) {
-    set(x, y, radius, 0);
-    move(code, now);
-  }
-
-  /** Sets the numbers of an obstacle, in the order of its shape. A peg has three. */
-  private void set(double first, double second, double third, double fourth) {
-    numbers[0] = first;
-    numbers[1] = second;
-    numbers[2] = third;
-    numbers[3] = fourth;
-  }
-
-  private int add(int kind, double now) {
+  /** Adds an obstacle with the numbers of its kind, in the order of its shape. A peg has three. */
+  public int add(int kind, double first, double second, double third, double fourth, double now) {
+    set(first, second, third, fourth);
     ObstacleRows rows = obstacles.ofKind(kind);
     checkId(kind, rows.count(), Codes.limit(kind));
     check(rows, rows.end);
@@ -270,13 +244,22 @@ public final class Editor {
     }
   }
 
-  private void move(int code, double now) {
+  /** Moves an obstacle, see {@link #add}. */
+  public void move(int code, double first, double second, double third, double fourth, double now) {
+    set(first, second, third, fourth);
     ObstacleRows rows = obstacles.of(code);
     check(rows, code);
     engine.forget(code);
     obstacles.move(code, numbers, now);
     keepPlace(rows);
     engine.appeared(code, now);
+  }
+
+  private void set(double first, double second, double third, double fourth) {
+    numbers[0] = first;
+    numbers[1] = second;
+    numbers[2] = third;
+    numbers[3] = fourth;
   }
 
   /** Lets a line or a peg move with a velocity, from now on. */

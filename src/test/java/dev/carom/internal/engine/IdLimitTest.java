@@ -116,12 +116,12 @@ class IdLimitTest {
     ObstacleTable obstacles = engine.staticScene.obstacles;
     obstacles.lines.end = Codes.line(LINES);
     obstacles.ofKind(Kind.PEG).end = Codes.peg(PEGS);
-    assertThatThrownBy(() -> editor.addLine(1, 2, 3, 4, 0))
+    assertThatThrownBy(() -> editor.add(Kind.LINE, 1, 2, 3, 4, 0))
         .isInstanceOf(IllegalStateException.class)
         .hasMessage(
             "line 268435452 cannot be added: all ids below 268435452 were given, and none is"
                 + " reused");
-    assertThatThrownBy(() -> editor.addPeg(1, 2, 3, 0))
+    assertThatThrownBy(() -> editor.add(Kind.PEG, 1, 2, 3, 0, 0))
         .isInstanceOf(IllegalStateException.class)
         .hasMessage(
             "peg 268435456 cannot be added: all ids below 268435456 were given, and none is"
