@@ -13,18 +13,11 @@ public final class TimelineRecorder {
 
   /** The limits of sizes, and the properties of the walls. */
   private record Settings(
-      double largest,
-      double least,
-      double restitution,
-      int traits,
-      long filter,
-      double gx,
-      double gy) {
+      SizeLimits limits, double restitution, int traits, long filter, double gx, double gy) {
 
     static Settings of(SizeLimits limits, ObstacleTable obstacles, Gravity gravity) {
       return new Settings(
-          limits.largest(),
-          limits.least(),
+          limits.copy(),
           obstacles.boundsRestitution,
           obstacles.boundsTraits,
           obstacles.filter(Codes.LEFT),
@@ -32,9 +25,8 @@ public final class TimelineRecorder {
           gravity.y);
     }
 
-    boolean areThoseOf(SizeLimits limits, ObstacleTable obstacles, Gravity gravity) {
-      return largest == limits.largest()
-          && least == limits.least()
+    boolean areThoseOf(SizeLimits others, ObstacleTable obstacles, Gravity gravity) {
+      return limits.equals(others)
           && Double.compare(restitution, obstacles.boundsRestitution) == 0
           && traits == obstacles.boundsTraits
           && filter == obstacles.filter(Codes.LEFT)
@@ -253,15 +245,7 @@ public final class TimelineRecorder {
       tail = Math.max(tail, collide ? tail(loaded, t) : 0);
     }
     return new WorldState(
-        t,
-        collide,
-        itsObstacles,
-        circles,
-        new SizeLimits(then.largest, then.least),
-        flights,
-        tail,
-        then.gx,
-        then.gy);
+        t, collide, itsObstacles, circles, then.limits.copy(), flights, tail, then.gx, then.gy);
   }
 
   /** Loads a circle as it was at a time, among those that existed then; returns its properties. */
