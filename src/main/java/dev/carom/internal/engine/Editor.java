@@ -36,7 +36,7 @@ public final class Editor {
   private final MovingCircle body = new MovingCircle();
 
   /** The limits of size, which edits change. */
-  public final SizeLimits limits = new SizeLimits();
+  public final SizeLimits limits;
 
   /** The numbers of the obstacle that is added or moved, as its shape has them. */
   private final double[] numbers = new double[ObstacleTable.MOST_NUMBERS];
@@ -47,15 +47,7 @@ public final class Editor {
     this.registry = registry;
     circles = engine.circles;
     obstacles = engine.staticScene.obstacles;
-    limits.keepPlace(obstacles.extent(), 0);
-    if (obstacles.walls != null) {
-      limits.keepPlace(obstacles.walls[Codes.LEFT], obstacles.walls[Codes.BOTTOM]);
-      limits.keepPlace(obstacles.walls[Codes.RIGHT], obstacles.walls[Codes.TOP]);
-    }
-    for (int i = 0; i < scene.circleCount(); i++) {
-      limits.keepPlace(scene.x(i), scene.y(i));
-      limits.keepRadius(scene.radius(i));
-    }
+    limits = scene.limits();
   }
 
   // Circles.

@@ -13,9 +13,9 @@ public final class SceneData {
   public static final int CIRCLE_ROW = 6;
 
   // The columns of a row.
-  public static final int X = 0;
-  public static final int Y = 1;
-  public static final int RADIUS = 2;
+  static final int X = 0;
+  static final int Y = 1;
+  static final int RADIUS = 2;
   static final int VX = 3;
   static final int VY = 4;
   static final int RESTITUTION = 5;
@@ -73,6 +73,33 @@ public final class SceneData {
 
   public double restitution(int circle) {
     return circles[circle * CIRCLE_ROW + RESTITUTION];
+  }
+
+  /** The limits of sizes at the start: of all coordinates, those of bounds too, and all radii. */
+  public SizeLimits limits() {
+    SizeLimits limits = new SizeLimits(obstacles.extent(), Double.POSITIVE_INFINITY);
+    double[] w = obstacles.walls;
+    if (w != null) {
+      limits.keepPlace(w[Codes.LEFT], w[Codes.BOTTOM]);
+      limits.keepPlace(w[Codes.RIGHT], w[Codes.TOP]);
+    }
+    for (int i = 0; i < circleCount(); i++) {
+      limits.keepPlace(x(i), y(i));
+      limits.keepRadius(radius(i));
+    }
+    return limits;
+  }
+
+  /** The number of the first circle whose radius keeps the scene from being built, or -1. */
+  int firstTooSmall() {
+    double least = SizeLimits.leastRadius(limits().largest());
+    boolean arePointsAllowed = obstacles.lines.count() == 0;
+    for (int i = 0; i < circleCount(); i++) {
+      if (!(radius(i) >= least || (arePointsAllowed && radius(i) == 0))) {
+        return i;
+      }
+    }
+    return -1;
   }
 
   @Override

@@ -176,44 +176,18 @@ public final class SceneDataBuilder {
   }
 
   public SceneData build() {
-    int i = firstTooSmall();
+    SceneData scene = new SceneData(this);
+    int i = scene.firstTooSmall();
     if (i >= 0) {
-      check(Codes.circle(i), () -> limits().checkRadius(radius(i), 0, 0, !arePointsAllowed()));
+      boolean lines = scene.obstacles.lines.count() > 0;
+      check(Codes.circle(i), () -> scene.limits().checkRadius(scene.radius(i), 0, 0, lines));
     }
-    return new SceneData(this);
+    return scene;
   }
 
   /** The number of the first circle whose radius keeps the scene from being built, or -1. */
   public int firstTooSmall() {
-    double least = SizeLimits.leastRadius(limits().largest());
-    for (int i = 0; i < registry.count(); i++) {
-      if (!(radius(i) >= least || (arePointsAllowed() && radius(i) == 0))) {
-        return i;
-      }
-    }
-    return -1;
-  }
-
-  private boolean arePointsAllowed() {
-    return obstacles.lines.count() == 0;
-  }
-
-  private double radius(int i) {
-    return circles.get(i * SceneData.CIRCLE_ROW + SceneData.RADIUS);
-  }
-
-  /** The limits of a world of all things so far. */
-  private SizeLimits limits() {
-    SizeLimits limits = new SizeLimits(obstacles.extent(), Double.POSITIVE_INFINITY);
-    double[] w = obstacles.walls;
-    if (w != null) {
-      limits.keepPlace(w[Codes.LEFT], w[Codes.BOTTOM]);
-      limits.keepPlace(w[Codes.RIGHT], w[Codes.TOP]);
-    }
-    for (int i = 0; i < circles.size(); i += SceneData.CIRCLE_ROW) {
-      limits.keepPlace(circles.get(i + SceneData.X), circles.get(i + SceneData.Y));
-    }
-    return limits;
+    return new SceneData(this).firstTooSmall();
   }
 
   /** All obstacles so far. */
