@@ -435,11 +435,7 @@ public final class Scene {
   }
 
   private int count(ObstacleKind kind) {
-    return switch (kind) {
-      case WALL -> data.obstacles.walls == null ? 0 : Codes.WALLS;
-      case CIRCLE -> circleCount();
-      default -> data.obstacles.ofKind(kind.ordinal()).count();
-    };
+    return kind == ObstacleKind.CIRCLE ? circleCount() : data.obstacles.end(kind.ordinal());
   }
 
   /** Returns the number of a thing that exists; any other one is refused. */

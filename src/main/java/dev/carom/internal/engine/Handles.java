@@ -23,20 +23,14 @@ public final class Handles {
 
   /** Whether an id, which may be any int, exists. */
   public boolean contains(int kind, int id) {
-    return switch (kind) {
-      case Kind.WALL -> obstacles.walls != null && id >= 0 && Codes.isWall(id);
-      case Kind.CIRCLE -> registry.slot(id) >= 0;
-      default -> id >= 0 && id < end(kind) && !obstacles.isGone(code(kind, id));
-    };
+    return kind == Kind.CIRCLE
+        ? registry.slot(id) >= 0
+        : id >= 0 && id < end(kind) && obstacles.isThere(code(kind, id));
   }
 
   /** One more than the largest id ever given. */
   public int end(int kind) {
-    return switch (kind) {
-      case Kind.WALL -> obstacles.walls == null ? 0 : Codes.WALLS;
-      case Kind.CIRCLE -> registry.idLimit();
-      default -> obstacles.ofKind(kind).count();
-    };
+    return kind == Kind.CIRCLE ? registry.idLimit() : obstacles.end(kind);
   }
 
   /** The slot of a circle; refuses an id that does not exist. */

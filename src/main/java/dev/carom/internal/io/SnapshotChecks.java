@@ -217,9 +217,7 @@ final class SnapshotChecks {
 
   /** Whether there is an obstacle of a code. */
   private boolean isThere(int code) {
-    return !Codes.isCircle(code)
-        && isKnown(code)
-        && (Codes.isWall(code) ? obstacles.walls != null : !obstacles.isGone(code));
+    return !Codes.isCircle(code) && isKnown(code) && obstacles.isThere(code);
   }
 
   private static void expectCode(boolean exists, int code) {

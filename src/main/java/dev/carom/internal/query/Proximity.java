@@ -96,7 +96,7 @@ public final class Proximity {
       }
     }
     return found.filtered(
-        code -> isLive(code) && seen.test(code) && region.overlaps(obstacles, code, now));
+        code -> obstacles.isThere(code) && seen.test(code) && region.overlaps(obstacles, code, now));
   }
 
   /** Names the obstacles of a kind that are in no tree: those that changed, and those that move. */
@@ -113,9 +113,5 @@ public final class Proximity {
         action.accept(motions.code(i));
       }
     }
-  }
-
-  private boolean isLive(int code) {
-    return Codes.isWall(code) || !obstacles.isGone(code);
   }
 }

@@ -307,7 +307,7 @@ final class Parts {
       int slot = Codes.slot(its);
       return registry.contains(slot) && registry.mass(slot) == Double.POSITIVE_INFINITY;
     }
-    return Codes.isWall(its) ? obstacles.walls != null : !obstacles.isGone(its);
+    return obstacles.isThere(its);
   }
 
   private int number(int its, double now) {

@@ -181,10 +181,21 @@ public final class ObstacleTable {
     return size() - motions.count();
   }
 
+  /** Whether an obstacle is there, or a wall: its code is below the end of its kind. */
+  public boolean isThere(int code) {
+    return Codes.isWall(code) ? walls != null : !isGone(code);
+  }
+
+  /** One more than the number of the last obstacle of a {@link Kind}, gone or not. */
+  public int end(int kind) {
+    int walled = walls == null ? 0 : Codes.WALLS;
+    return kind == Kind.WALL ? walled : ofKind(kind).count();
+  }
+
   /** The codes of the live obstacles of a {@link Kind}. */
   public IntStream codes(int kind) {
     return kind == Kind.WALL
-        ? IntStream.range(0, walls == null ? 0 : Codes.WALLS)
+        ? IntStream.range(0, end(kind))
         : ofKind(kind).present().stream(ofKind(kind)::isGone);
   }
 
