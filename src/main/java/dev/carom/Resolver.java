@@ -10,6 +10,7 @@ import dev.carom.internal.response.Impulse;
 import dev.carom.internal.response.SphereResponse;
 import dev.carom.internal.search.ObstacleIndex;
 import dev.carom.internal.state.Codes;
+import dev.carom.internal.state.Filter;
 import dev.carom.internal.state.Gravity;
 import dev.carom.internal.state.MovingCircle;
 import dev.carom.internal.state.ObstacleTable;
@@ -235,7 +236,8 @@ public final class Resolver {
     Check.notNull("point", point);
     int nearest =
         new Proximity(index, () -> 0)
-            .nearest(Kind.WALL, Kind.CIRCLE, point.x(), point.y(), code -> true);
+            .nearest(
+                Kind.WALL, Kind.CIRCLE, point.x(), point.y(), index.obstacles.met(Filter.DEFAULT));
     return nearest == Index.NONE ? Optional.empty() : Optional.of(records.apply(nearest));
   }
 
@@ -265,7 +267,8 @@ public final class Resolver {
 
   private List<Obstacle> overlapping(Region region) {
     return things(
-        new Proximity(index, () -> 0).overlapping(Kind.WALL, Kind.CIRCLE, region, code -> true));
+        new Proximity(index, () -> 0)
+            .overlapping(Kind.WALL, Kind.CIRCLE, region, index.obstacles.met(Filter.DEFAULT)));
   }
 
   /**

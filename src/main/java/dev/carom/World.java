@@ -20,7 +20,6 @@ import dev.carom.internal.util.Check;
 import dev.carom.internal.util.Kind;
 import java.util.Arrays;
 import java.util.Optional;
-import java.util.function.IntPredicate;
 
 /**
  * A {@code World} moves the circles of a {@link Scene}. They fly straight, or fall, bounce off
@@ -669,8 +668,12 @@ public final class World {
   }
 
   /**
-   * Finds the thing of a kind that is nearest to a point, whatever its category. Among equally near
-   * ones the smallest id wins.
+   * Finds the thing of a kind that is nearest to a point. Among equally near ones the smallest id
+   * wins.
+   *
+   * <p>Only things count that a circle of category 1 and mask -1 can {@linkplain
+   * SceneBuilder#filter meet}, as in {@link #cast(Circle, Vec2, double) cast}. With category -1 and
+   * mask -1 {@link #nearest(ObstacleKind, double, double, int, int) all} that can be met count.
    *
    * <p>Distances are computed in plain doubles: to a wall, to a line, or to the rim of a peg or
    * circle. Inside of a peg or circle the distance is 0. The search uses an <a
@@ -683,7 +686,7 @@ public final class World {
    * @throws IllegalArgumentException if a coordinate is NaN or infinite
    */
   public int nearest(ObstacleKind kind, double x, double y) {
-    return nearest(kind, x, y, WorldQueries.ALL);
+    return nearest(kind, x, y, 1, -1);
   }
 
   /**
@@ -700,20 +703,17 @@ public final class World {
    * @throws IllegalArgumentException if a coordinate is NaN or infinite
    */
   public int nearest(ObstacleKind kind, double x, double y, int category, int mask) {
-    return nearest(kind, x, y, questions.met(category, mask));
-  }
-
-  private int nearest(ObstacleKind kind, double x, double y, IntPredicate seen) {
     Check.notNull("kind", kind);
     Check.finite("x", x);
     Check.finite("y", y);
-    return questions.nearest(kind, x, y, now, seen);
+    return questions.nearest(kind, x, y, now, Filter.of(category, mask));
   }
 
   /**
-   * Finds the things of a kind that overlap a disk, whatever their categories: they have points
-   * inside of it, not only on its rim. A disk of radius 0 is a point: it overlaps pegs, circles and
-   * walls that hold it inside, and no line.
+   * Finds the things of a kind that overlap a disk: they have points inside of it, not only on its
+   * rim. A disk of radius 0 is a point: it overlaps pegs, circles and walls that hold it inside,
+   * and no line. The same things count as in {@link #nearest(ObstacleKind, double, double)
+   * nearest}.
    *
    * <p>The answer is exact, for circles at the positions that {@link #x} and {@link #y} give. The
    * search uses an <a href="doc-files/rules.html#questions">index</a>.
@@ -723,7 +723,7 @@ public final class World {
    * @return the ids, ascending; a new array
    */
   public int[] overlapping(ObstacleKind kind, Circle disk) {
-    return overlapping(kind, PublicRecords.region(disk), WorldQueries.ALL);
+    return overlapping(kind, disk, 1, -1);
   }
 
   /**
@@ -738,23 +738,23 @@ public final class World {
    * @return the ids, ascending; a new array
    */
   public int[] overlapping(ObstacleKind kind, Circle disk, int category, int mask) {
-    return overlapping(kind, PublicRecords.region(disk), questions.met(category, mask));
+    return overlapping(kind, PublicRecords.region(disk), Filter.of(category, mask));
   }
 
-  private int[] overlapping(ObstacleKind kind, Region region, IntPredicate seen) {
-    return questions.overlapping(Check.notNull("kind", kind), region, now, seen);
+  private int[] overlapping(ObstacleKind kind, Region region, long filter) {
+    return questions.overlapping(Check.notNull("kind", kind), region, now, filter);
   }
 
   /**
-   * Finds the things of a kind that overlap a box, whatever their categories: they have points
-   * inside of it, not only on its edge. The answer is exact, as for a disk.
+   * Finds the things of a kind that overlap a box: they have points inside of it, not only on its
+   * edge. The answer is exact, as for a disk, and the same things count.
    *
    * @param kind which kind of thing
    * @param box the box
    * @return the ids, ascending; a new array
    */
   public int[] overlapping(ObstacleKind kind, Bounds box) {
-    return overlapping(kind, PublicRecords.region(box), WorldQueries.ALL);
+    return overlapping(kind, box, 1, -1);
   }
 
   /**
@@ -769,7 +769,7 @@ public final class World {
    * @return the ids, ascending; a new array
    */
   public int[] overlapping(ObstacleKind kind, Bounds box, int category, int mask) {
-    return overlapping(kind, PublicRecords.region(box), questions.met(category, mask));
+    return overlapping(kind, PublicRecords.region(box), Filter.of(category, mask));
   }
 
   // Edits.

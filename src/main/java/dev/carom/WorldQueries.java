@@ -25,9 +25,6 @@ import java.util.function.IntPredicate;
 /** Answers questions about a world, without a change of it. */
 final class WorldQueries {
 
-  /** For questions without a filter: everything is seen. */
-  static final IntPredicate ALL = code -> true;
-
   private final ObstacleTable obstacles;
   private final ObstacleIndex index;
   private final CircleTable circles;
@@ -156,12 +153,6 @@ final class WorldQueries {
     return Codes.isCircle(code) ? registry.filter(Codes.slot(code)) : obstacles.filter(code);
   }
 
-  /** Returns a predicate for the codes of all that a thing of a given category and mask meets. */
-  IntPredicate met(int category, int mask) {
-    long filter = Filter.of(category, mask);
-    return code -> Filter.meet(filter, filter(code));
-  }
-
   Vec2 velocity(int code, double now) {
     return Codes.isCircle(code)
         ? new Vec2(circles.vx(Codes.slot(code), now), circles.vy(Codes.slot(code), now))
@@ -203,24 +194,27 @@ final class WorldQueries {
         : ids(obstacles.codes(kind.ordinal()).toArray());
   }
 
-  int nearest(ObstacleKind kind, double x, double y, double now, IntPredicate seen) {
+  int nearest(ObstacleKind kind, double x, double y, double now, long filter) {
     if (kind != ObstacleKind.CIRCLE) {
+      IntPredicate seen = obstacles.met(filter);
       int code = proximity.nearest(kind.ordinal(), kind.ordinal() + 1, x, y, seen);
       return code == Index.NONE ? -1 : Codes.index(code);
     }
-    int slot = queries.nearest(x, y, now, slots(seen));
+    int slot = queries.nearest(x, y, now, slots(filter));
     return slot == Index.NONE ? -1 : registry.id(slot);
   }
 
-  int[] overlapping(ObstacleKind kind, Region region, double now, IntPredicate seen) {
+  int[] overlapping(ObstacleKind kind, Region region, double now, long filter) {
     return kind == ObstacleKind.CIRCLE
-        ? circleIds(queries.overlapping(region, now, slots(seen)))
-        : ids(proximity.overlapping(kind.ordinal(), kind.ordinal() + 1, region, seen));
+        ? circleIds(queries.overlapping(region, now, slots(filter)))
+        : ids(
+            proximity.overlapping(
+                kind.ordinal(), kind.ordinal() + 1, region, obstacles.met(filter)));
   }
 
-  /** The same for slots of circles. */
-  private static IntPredicate slots(IntPredicate seen) {
-    return seen == ALL ? ALL : slot -> seen.test(Codes.circle(slot));
+  /** Returns a predicate for the slots of circles that meet a thing with a filter. */
+  private IntPredicate slots(long filter) {
+    return slot -> Filter.meet(filter, registry.filter(slot));
   }
 
   /** Replaces codes of obstacles by their ids. */

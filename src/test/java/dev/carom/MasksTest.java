@@ -281,7 +281,40 @@ class MasksTest {
   }
 
   @Test
-  void nearestAndOverlappingSeeAllUnlessTheyHaveAFilter() {
+  void nearestAndOverlappingWithoutAFilterSeeWhatACastSees() {
+    for (ObstacleKind kind : ObstacleKind.values()) {
+      World world = hidden(kind);
+      Circle disk = new Circle(50, 50, 60);
+      Bounds box = new Bounds(-5, -5, 105, 105);
+      assertThat(world.nearest(kind, 0, 50)).as("%s", kind).isEqualTo(-1);
+      assertThat(world.nearest(kind, 0, 50, -1, -1)).as("%s", kind).isZero();
+      assertThat(world.overlapping(kind, disk)).as("%s", kind).isEmpty();
+      assertThat(world.overlapping(kind, box)).as("%s", kind).isEmpty();
+      assertThat(world.overlapping(kind, disk, -1, -1)).as("%s", kind).isNotEmpty();
+      assertThat(world.overlapping(kind, box, -1, -1)).as("%s", kind).isNotEmpty();
+      Resolver resolver = world.scene().resolver();
+      assertThat(resolver.nearest(new Vec2(0, 50))).as("%s", kind).isEmpty();
+      assertThat(resolver.overlapping(disk)).as("%s", kind).isEmpty();
+      assertThat(resolver.overlapping(box)).as("%s", kind).isEmpty();
+      assertThat(world.cast(new Circle(10, 50, 5), new Vec2(1, 0), 1000)).as("%s", kind).isEmpty();
+    }
+  }
+
+  /** A world of one thing, which a circle of category 1 cannot meet. */
+  private static World hidden(ObstacleKind kind) {
+    SceneBuilder scene = Scene.builder().collide(true);
+    scene =
+        switch (kind) {
+          case WALL -> scene.bounds(0, 0, 100, 100);
+          case LINE -> scene.line(50, 0, 50, 100);
+          case PEG -> scene.peg(70, 50, 5);
+          case CIRCLE -> scene.circle(30, 50, 5, 0, 0);
+        };
+    return new World(scene.filter(A, B).build());
+  }
+
+  @Test
+  void nearestAndOverlappingSeeWhatTheAskerMeets() {
     World world = asked();
     Circle disk = new Circle(50, 50, 60);
     Bounds box = new Bounds(-5, -5, 105, 105);

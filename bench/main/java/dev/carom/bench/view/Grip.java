@@ -70,17 +70,17 @@ final class Grip {
   static Grip at(Player player, Vec2 point, double reach) {
     World world = player.look();
     Circle around = new Circle(point.x(), point.y(), reach);
-    int circle = last(world.overlapping(ObstacleKind.CIRCLE, around));
+    int circle = last(world.overlapping(ObstacleKind.CIRCLE, around, -1, -1));
     if (circle >= 0) {
       Vec2 place = new Vec2(world.x(circle), world.y(circle));
       Vec2 velocity = new Vec2(world.vx(circle), world.vy(circle));
       return new Grip(player, Part.CIRCLE, circle, point, place, velocity);
     }
-    int peg = last(world.overlapping(ObstacleKind.PEG, around));
+    int peg = last(world.overlapping(ObstacleKind.PEG, around, -1, -1));
     if (peg >= 0) {
       return new Grip(player, Part.PEG, peg, point, world.peg(peg).center(), Vec2.ZERO);
     }
-    int id = world.nearest(ObstacleKind.LINE, point.x(), point.y());
+    int id = world.nearest(ObstacleKind.LINE, point.x(), point.y(), -1, -1);
     if (id < 0 || distance(world.line(id).closestPoint(point), point) > reach) {
       return null;
     }

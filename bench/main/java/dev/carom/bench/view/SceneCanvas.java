@@ -315,8 +315,8 @@ final class SceneCanvas extends JComponent {
       return List.of();
     }
     Vec2 at = plane(mouse);
-    int[] circles =
-        player.look().overlapping(ObstacleKind.CIRCLE, new Circle(at.x(), at.y(), 1 / scale()));
+    Circle around = new Circle(at.x(), at.y(), 1 / scale());
+    int[] circles = player.look().overlapping(ObstacleKind.CIRCLE, around, -1, -1);
     return circles.length == 0 ? List.of() : List.of(under(mouse).about().split("; "));
   }
 }

@@ -10,6 +10,7 @@ import dev.carom.internal.util.Kind;
 import dev.carom.internal.util.Part;
 import java.util.Arrays;
 import java.util.List;
+import java.util.function.IntPredicate;
 import java.util.stream.IntStream;
 
 /**
@@ -322,6 +323,11 @@ public final class ObstacleTable {
   /** The {@link Filter} of an obstacle. */
   public long filter(int code) {
     return Codes.isWall(code) ? boundsFilter : of(code).filter(code);
+  }
+
+  /** Returns a predicate for the codes of the obstacles that a thing with a filter meets. */
+  public IntPredicate met(long filter) {
+    return code -> Filter.meet(filter, filter(code));
   }
 
   /** Whether any obstacle may have a filter other than the default. */
