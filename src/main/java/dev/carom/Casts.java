@@ -28,8 +28,8 @@ import java.util.Arrays;
  * System.out.println(rays.kind(0) + " at " + rays.time(0)); // PEG at 40.0
  * }</pre>
  *
- * <p>Until it is asked, and if it hits nothing, the answer of a cast is: time {@code +infinity}, no
- * kind and no feature (null), id -1, normal (0, 0). It belongs to one thread at a time.
+ * <p>Until it is asked, and if it hits nothing, the answer of a cast is: time {@code +infinity}, id
+ * -1, normal (0, 0). Its kind and its feature are refused then. It belongs to one thread at a time.
  */
 public final class Casts {
 
@@ -116,6 +116,14 @@ public final class Casts {
     if (i < 0 || i >= size) {
       String expected = size == 0 ? "none, there are no casts" : "0 to " + (size - 1);
       throw new IndexOutOfBoundsException("cast is " + i + ": expected " + expected);
+    }
+    return i;
+  }
+
+  /** Refuses the number of a cast that hits nothing, too. */
+  private int checkHit(int i) {
+    if (!hits(i)) {
+      throw Check.refused("cast " + i, "a miss", "one that hits something");
     }
     return i;
   }
@@ -212,12 +220,12 @@ public final class Casts {
    * Returns the kind of thing that is hit.
    *
    * @param i its number, 0..{@link #size()} - 1
-   * @return the kind; null if the cast hits nothing
+   * @return the kind
    * @throws IndexOutOfBoundsException if there is no such cast
+   * @throws IllegalArgumentException if the cast {@linkplain #hits hits} nothing
    */
   public ObstacleKind kind(int i) {
-    int kind = kinds[check(i)];
-    return kind == NONE ? null : ObstacleKind.of(kind);
+    return ObstacleKind.of(kinds[checkHit(i)]);
   }
 
   /**
@@ -235,12 +243,12 @@ public final class Casts {
    * Returns the part of the obstacle that is hit.
    *
    * @param i its number, 0..{@link #size()} - 1
-   * @return the feature; null if the cast hits nothing
+   * @return the feature
    * @throws IndexOutOfBoundsException if there is no such cast
+   * @throws IllegalArgumentException if the cast {@linkplain #hits hits} nothing
    */
   public Feature feature(int i) {
-    int feature = features[check(i)];
-    return feature == NONE ? null : Feature.of(feature);
+    return Feature.of(features[checkHit(i)]);
   }
 
   /**

@@ -342,9 +342,11 @@ class QuestionsTest {
       Optional<Impact> hit = expected.get(i);
       assertThat(casts.hits(i)).isEqualTo(hit.isPresent());
       assertThat(casts.time(i)).isEqualTo(hit.map(Impact::time).orElse(NEVER));
-      assertThat(casts.kind(i)).isEqualTo(hit.map(Impact::kind).orElse(null));
       assertThat(casts.id(i)).isEqualTo(hit.map(Impact::id).orElse(-1));
-      assertThat(casts.feature(i)).isEqualTo(hit.map(Impact::feature).orElse(null));
+      if (hit.isPresent()) {
+        assertThat(casts.kind(i)).isEqualTo(hit.get().kind());
+        assertThat(casts.feature(i)).isEqualTo(hit.get().feature());
+      }
       Vec2 normal = hit.map(Impact::normal).orElse(new Vec2(0, 0));
       assertThat(new Vec2(casts.nx(i), casts.ny(i))).isEqualTo(normal);
     }

@@ -208,6 +208,24 @@ class WorldQueriesTest {
   }
 
   @Test
+  void kindAndFeatureOfAMissAreRefused() {
+    Casts casts = new Casts();
+    casts.add(0, 0, 1, 1, 0);
+    for (boolean isAsked : new boolean[] {false, true}) {
+      if (isAsked) {
+        new World(Scene.builder().build()).cast(casts, 9);
+      }
+      assertThat(casts.time(0)).isEqualTo(NEVER);
+      assertThatThrownBy(() -> casts.kind(0))
+          .isInstanceOf(IllegalArgumentException.class)
+          .hasMessage("cast 0 is a miss: expected one that hits something");
+      assertThatThrownBy(() -> casts.feature(0))
+          .isInstanceOf(IllegalArgumentException.class)
+          .hasMessage("cast 0 is a miss: expected one that hits something");
+    }
+  }
+
+  @Test
   void aPathEndsWhereTheNextBounceWouldBe() {
     World world = new World(room().build());
     Trajectory path = world.trace(new Circle(50, 50, 5), new Vec2(3, 0), 1, 1000, 2);
