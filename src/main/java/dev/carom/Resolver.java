@@ -138,29 +138,29 @@ public final class Resolver {
   }
 
   /**
-   * Follows a circle with a restitution of its own along its path, up to a number of bounces. The
+   * Follows a circle with a restitution of its own along its path, up to a number of impacts. The
    * limit of 100,000 impacts holds here too.
    *
    * @param circle the circle at the start
    * @param velocity its velocity at the start
    * @param restitution finite and at least 0; that of an impact is its product with the obstacle's
    * @param duration how long to follow it, finite and at least 0
-   * @param bounces how many impacts to resolve, at least 0; the path ends where the next one would
-   *     be
+   * @param impacts the number of the impact at which the path ends, at least 0: 1 is the first one,
+   *     which a {@link #cast(Circle, Vec2, double) cast} would find without gravity, and 0 the start
    * @return its flights and impacts, with times counted from the start
    * @throws IllegalArgumentException if the restitution or the duration is NaN, infinite or
-   *     negative, or the number of bounces negative
+   *     negative, or the number of impacts negative
    */
   public Trajectory trace(
-      Circle circle, Vec2 velocity, double restitution, double duration, int bounces) {
+      Circle circle, Vec2 velocity, double restitution, double duration, int impacts) {
     Check.notNull("circle", circle);
     Check.notNull("velocity", velocity);
     Check.notNegative("restitution", restitution);
     Check.notNegative("duration", duration);
-    Check.notNegative("bounces", bounces);
+    Check.notNegative("impacts", impacts);
     MovingCircle body = CircleCast.body(circle, velocity, restitution);
     index.expect(1);
-    TracedPath path = new Tracer(index, gravity).trace(body, duration, bounces, IMPACTS_PER_TRACE);
+    TracedPath path = new Tracer(index, gravity).trace(body, duration, impacts, IMPACTS_PER_TRACE);
     return Trajectory.of(path, records);
   }
 

@@ -73,7 +73,8 @@ public final class Trajectory {
   }
 
   /**
-   * Returns the impacts on the path, in the order of time.
+   * Returns the impacts on the path, in the order of time. One at which the path ends is the last
+   * one.
    *
    * @return an immutable list
    */
@@ -91,7 +92,7 @@ public final class Trajectory {
   }
 
   /**
-   * Tells whether the path ends at the duration or at the number of bounces that was asked for.
+   * Tells whether the path ends at the duration or at the number of impacts that was asked for.
    *
    * @return false if the budget of impacts was spent before; the duration is then the time of the
    *     last impact

@@ -622,15 +622,15 @@ public final class World {
    * @param velocity its velocity at the start
    * @param restitution finite and at least 0; that of an impact is its product with the obstacle's
    * @param duration how long to follow it, finite and at least 0
-   * @param bounces how many impacts to resolve, at least 0; the path ends where the next one would
-   *     be
+   * @param impacts the number of the impact at which the path ends, at least 0: 1 is the first one,
+   *     which a {@link #cast(Circle, Vec2, double) cast} would find without gravity, and 0 the start
    * @return its flights and impacts, with times counted from now
    * @throws IllegalArgumentException if the restitution or the duration is NaN, infinite or
-   *     negative, or the number of bounces negative
+   *     negative, or the number of impacts negative
    */
   public Trajectory trace(
-      Circle circle, Vec2 velocity, double restitution, double duration, int bounces) {
-    return trace(circle, velocity, restitution, duration, bounces, 1, -1);
+      Circle circle, Vec2 velocity, double restitution, double duration, int impacts) {
+    return trace(circle, velocity, restitution, duration, impacts, 1, -1);
   }
 
   /**
@@ -642,29 +642,29 @@ public final class World {
    * @param velocity its velocity at the start
    * @param restitution finite and at least 0; that of an impact is its product with the obstacle's
    * @param duration how long to follow it, finite and at least 0
-   * @param bounces how many impacts to resolve, at least 0; the path ends where the next one would
-   *     be
+   * @param impacts the number of the impact at which the path ends, at least 0: 1 is the first one,
+   *     which a {@link #cast(Circle, Vec2, double) cast} would find without gravity, and 0 the start
    * @param category the categories that the circle belongs to
    * @param mask the categories that it can meet
    * @return its flights and impacts, with times counted from now
    * @throws IllegalArgumentException if the restitution or the duration is NaN, infinite or
-   *     negative, or the number of bounces negative
+   *     negative, or the number of impacts negative
    */
   public Trajectory trace(
       Circle circle,
       Vec2 velocity,
       double restitution,
       double duration,
-      int bounces,
+      int impacts,
       int category,
       int mask) {
     Check.notNull("circle", circle);
     Check.notNull("velocity", velocity);
     Check.notNegative("restitution", restitution);
     Check.notNegative("duration", duration);
-    Check.notNegative("bounces", bounces);
+    Check.notNegative("impacts", impacts);
     long filter = Filter.of(category, mask);
-    return questions.trace(circle, velocity, restitution, duration, bounces, filter, now);
+    return questions.trace(circle, velocity, restitution, duration, impacts, filter, now);
   }
 
   /**

@@ -126,7 +126,7 @@ final class WorldQueries {
       Vec2 velocity,
       double restitution,
       double duration,
-      int bounces,
+      int impacts,
       long filter,
       double now) {
     index.expect(1);
@@ -135,7 +135,7 @@ final class WorldQueries {
     obstacles.setEpoch(now);
     try {
       TracedPath path =
-          new Tracer(index, gravity).trace(body, duration, bounces, Resolver.IMPACTS_PER_TRACE);
+          new Tracer(index, gravity).trace(body, duration, impacts, Resolver.IMPACTS_PER_TRACE);
       return Trajectory.of(path, code -> PublicRecords.of(obstacles, code, 0));
     } finally {
       obstacles.setEpoch(0);

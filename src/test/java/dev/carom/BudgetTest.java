@@ -134,16 +134,16 @@ class BudgetTest {
     assertThat(world.impacts().size() + work).isBetween(10_000L, 10_100L);
   }
 
-  private static TracedPath trace(int bounces, int most) {
+  private static TracedPath trace(int impacts, int most) {
     ObstacleTable obstacles = ObstacleTable.of(nearTies(true).data);
     Tracer tracer = new Tracer(new ObstacleIndex(obstacles));
-    return tracer.trace(CircleCast.body(LEAVING, new Vec2(-UNIT, 0), 1), 1e3, bounces, most);
+    return tracer.trace(CircleCast.body(LEAVING, new Vec2(-UNIT, 0), 1), 1e3, impacts, most);
   }
 
   /** The work to find the impact that comes after so many. */
   private static long workAfter(int impacts) {
     long before = bits();
-    assertThat(trace(impacts, Integer.MAX_VALUE).complete()).isTrue();
+    assertThat(trace(impacts + 1, Integer.MAX_VALUE).complete()).isTrue();
     return workSince(before);
   }
 

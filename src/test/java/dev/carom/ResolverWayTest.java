@@ -20,10 +20,10 @@ class ResolverWayTest {
 
   /** At 95, 5, 95 and so on, after 15 and each 30 more. */
   @Test
-  void aTraceEndsAtTheNextImpactAfterItsBounces() {
-    Trajectory path = Resolver.of(List.of(ROOM)).trace(CIRCLE, new Vec2(3, 0), 1, 1000, 2);
-    assertThat(path.impacts()).extracting(Impact::time).containsExactly(15.0, 45.0);
-    assertThat(path.impacts()).extracting(Impact::id).containsExactly(1, 0);
+  void aTraceEndsAtItsImpactOfAGivenNumber() {
+    Trajectory path = Resolver.of(List.of(ROOM)).trace(CIRCLE, new Vec2(3, 0), 1, 1000, 3);
+    assertThat(path.impacts()).extracting(Impact::time).containsExactly(15.0, 45.0, 75.0);
+    assertThat(path.impacts()).extracting(Impact::id).containsExactly(1, 0, 1);
     assertThat(path.duration()).isEqualTo(75);
     assertThat(path.complete()).isTrue();
     assertThat(path.end()).isEqualTo(new Vec2(95, 50));
@@ -134,7 +134,7 @@ class ResolverWayTest {
   @Test
   void refusesWhatMakesNoSense() {
     refused(
-        () -> RESOLVER.trace(CIRCLE, Vec2.ZERO, 1, 1, -1), "bounces is -1: expected at least 0");
+        () -> RESOLVER.trace(CIRCLE, Vec2.ZERO, 1, 1, -1), "impacts is -1: expected at least 0");
     refused(() -> RESOLVER.cast(CIRCLE, Vec2.ZERO, -1), "maxTime is -1");
     refused(() -> Resolver.reflect(new Vec2(1, 0), Vec2.ZERO, 1), "normal");
     refused(() -> Resolver.of(List.of(ROOM, new Bounds(1, 2, 3, 4))), "second");

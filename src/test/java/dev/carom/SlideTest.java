@@ -71,12 +71,12 @@ class SlideTest {
     assertThat(world.advanceToImpact(4)).isEqualTo(StopReason.TIME);
   }
 
-  /** The end of a slide does not count as a bounce, nor end the path after the last one. */
+  /** The end of a slide does not count as an impact, nor end the path after the last one. */
   @Test
   void theEndOfASlideDoesNotEndAPath() {
     Resolver resolver = Scene.builder().gravity(0, -10).line(0, 0, 10, -1).build().resolver();
-    for (int bounces : new int[] {1, 2}) {
-      Trajectory path = resolver.trace(new Circle(1, 3, 1), Vec2.ZERO, 0, 100, bounces);
+    for (int impacts : new int[] {2, 3}) {
+      Trajectory path = resolver.trace(new Circle(1, 3, 1), Vec2.ZERO, 0, 100, impacts);
       assertThat(path.impacts()).hasSize(1);
       assertThat(path.complete()).isTrue();
       assertThat(path.duration()).isEqualTo(100);

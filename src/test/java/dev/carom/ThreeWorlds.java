@@ -27,7 +27,7 @@ final class ThreeWorlds {
     new EngineOptions(true, 23, 2, 1, 1)
   };
 
-  private static final int BOUNCES = 5;
+  private static final int IMPACTS = 5;
 
   /** Of the world: a step of more work than this ends a session anyway. */
   private static final EngineOptions SMALL_BUDGET = EngineOptions.budget(1.0 / 20);
@@ -119,8 +119,8 @@ final class ThreeWorlds {
     double time = first.map(Impact::time).orElse(Double.POSITIVE_INFINITY);
     assertThat(plain.cast(circle, v, category, mask)).isEqualTo(time);
     if (time < Double.MAX_VALUE / 8) {
-      assertThat(twin.trace(circle, v, 1, 8 * time, BOUNCES, category, mask))
-          .isEqualTo(world.trace(circle, v, 1, 8 * time, BOUNCES, category, mask));
+      assertThat(twin.trace(circle, v, 1, 8 * time, IMPACTS, category, mask))
+          .isEqualTo(world.trace(circle, v, 1, 8 * time, IMPACTS, category, mask));
     }
   }
 

@@ -226,15 +226,21 @@ class WorldQueriesTest {
   }
 
   @Test
-  void aPathEndsWhereTheNextBounceWouldBe() {
+  void aPathEndsAtItsImpactOfAGivenNumber() {
     World world = new World(room().build());
-    Trajectory path = world.trace(new Circle(50, 50, 5), new Vec2(3, 0), 1, 1000, 2);
-    assertThat(path.impacts()).extracting(Impact::time).containsExactly(15.0, 45.0);
+    Trajectory path = world.trace(new Circle(50, 50, 5), new Vec2(3, 0), 1, 1000, 3);
+    assertThat(path.impacts()).extracting(Impact::time).containsExactly(15.0, 45.0, 75.0);
     assertThat(path.duration()).isEqualTo(75);
     assertThat(path.end()).isEqualTo(new Vec2(95, 50));
     Trajectory none = world.trace(new Circle(50, 50, 5), new Vec2(3, 0), 1, 1000, 0);
     assertThat(none.impacts()).isEmpty();
-    assertThat(none.duration()).isEqualTo(15);
+    assertThat(none.duration()).isZero();
+    Trajectory one = world.trace(new Circle(50, 50, 5), new Vec2(3, 0), 1, 1000, 1);
+    assertThat(world.cast(new Circle(50, 50, 5), new Vec2(3, 0), 1000))
+        .hasValue(one.impacts().get(0));
+    assertThat(one.duration()).isEqualTo(15);
+    assertThat(one.velocityAt(15)).isEqualTo(new Vec2(-3, 0));
+    assertThat(world.trace(new Circle(50, 50, 5), new Vec2(3, 0), 1, 15, 9)).isEqualTo(one);
     assertThat(world.trace(new Circle(50, 50, 5), new Vec2(3, 0), 1, 10, 5).duration())
         .isEqualTo(10);
   }
@@ -281,7 +287,7 @@ class WorldQueriesTest {
         .hasMessageContaining("restitution is -1.0");
     assertThatThrownBy(() -> world.trace(circle, Vec2.ZERO, 1, 1, -1))
         .isInstanceOf(IllegalArgumentException.class)
-        .hasMessageContaining("bounces is -1: expected at least 0");
+        .hasMessageContaining("impacts is -1: expected at least 0");
     assertThatThrownBy(() -> world.nearest(ObstacleKind.LINE, Double.NaN, 0))
         .isInstanceOf(IllegalArgumentException.class)
         .hasMessageContaining("x is NaN");

@@ -40,7 +40,7 @@ import org.openjdk.jmh.annotations.Warmup;
 public class QuestionBenchmark {
 
   private static final int QUESTIONS = 4096;
-  private static final int BOUNCES = 20;
+  private static final int IMPACTS = 20;
   private static final int RAYS = 10_000;
   private static final double FAR = 1e9;
 
@@ -165,10 +165,10 @@ public class QuestionBenchmark {
 
   /** One of twenty bounces of a path. */
   @Benchmark
-  @OperationsPerInvocation(BOUNCES)
+  @OperationsPerInvocation(IMPACTS)
   public Trajectory trace(Lines lines) {
     int i = lines.next();
-    return lines.world.trace(lines.points[i], lines.velocities[i], 1, FAR, BOUNCES);
+    return lines.world.trace(lines.points[i], lines.velocities[i], 1, FAR, IMPACTS);
   }
 
   /** The line that is nearest to a point: its id. */

@@ -19,7 +19,7 @@ record Draft(Tool tool, Vec2 from, Vec2 to, double radius) {
   private static final double FRAMES = 30;
 
   private static final double LONG = 400;
-  private static final int BOUNCES = 6;
+  private static final int IMPACTS = 7;
 
   Draft to(Vec2 there) {
     return new Draft(tool, from, there, radius);
@@ -46,7 +46,7 @@ record Draft(Tool tool, Vec2 from, Vec2 to, double radius) {
   /** The way that a new circle would take among what stands still. */
   Trajectory way(Player player) {
     World world = player.look();
-    return world.trace(circle(), velocity(player), 1, LONG * player.frame(), BOUNCES);
+    return world.trace(circle(), velocity(player), 1, LONG * player.frame(), IMPACTS);
   }
 
   /** Adds it; a line or peg of no size is not meant. */

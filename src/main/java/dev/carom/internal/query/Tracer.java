@@ -94,12 +94,13 @@ public final class Tracer {
   }
 
   /**
-   * The path until the given time, or until the impact after the last bounce that is asked for.
+   * The path until the given time, or until its impact of a given number, which is resolved.
    *
+   * @param number that of the impact, at least 0; 0 ends it at the start
    * @param most how many impacts and ends of slides a path may have; one with more ends there,
    *     incomplete
    */
-  public TracedPath trace(MovingCircle body, double duration, int bounces, int most) {
+  public TracedPath trace(MovingCircle body, double duration, int number, int most) {
     grid = index.grid(body.radius);
     ObstacleResponse response = new ObstacleResponse(obstacles, gravity, this::addNear);
     Shock shock = new Shock(null, obstacles, this::addNear, null);
@@ -111,11 +112,8 @@ public final class Tracer {
     add(body, flights);
     ExactBudget work = ExactBudget.ofThread();
     long before = work.bits();
-    while (next(body, duration)) {
+    while (impacts.size() < number && next(body, duration)) {
       int count = impacts.size();
-      if (count == bounces && !isNoImpact(body)) {
-        return new TracedPath(flights, impacts, body.due(), true);
-      }
       int done = flights.size() / TracedPath.FLIGHT - 1; // impacts and ends of slides
       if (done > 0 && done + work.impactsSince(before) >= most) {
         return new TracedPath(flights, impacts, body.t, false);
@@ -135,7 +133,8 @@ public final class Tracer {
       }
       add(body, flights);
     }
-    return new TracedPath(flights, impacts, duration, true);
+    double end = impacts.size() < number ? duration : body.t;
+    return new TracedPath(flights, impacts, end, true);
   }
 
   /** Looks for the next impact, past sensors; false if there is none until the given time. */
@@ -147,11 +146,6 @@ public final class Tracer {
       }
     } while (body.due() <= end && body.cleared < Double.POSITIVE_INFINITY);
     return false;
-  }
-
-  /** Whether what comes next is no impact: a tick, or the end of what it slides on. */
-  private static boolean isNoImpact(MovingCircle body) {
-    return body.ticksNext() || (body.isCarried() && body.next == body.support);
   }
 
   private void addNear(MovingCircle m, double reach, double now, IntList into) {
