@@ -245,6 +245,20 @@ class WorldQueriesTest {
         .isEqualTo(10);
   }
 
+  /** Circle 1 flies at circle 0, which rests: their row is one of circle 0. */
+  @Test
+  void aRowOfTwoCirclesNamesTheSmallerIdFirst() {
+    World world =
+        new World(
+            Scene.builder().collide(true).circle(50, 50, 5, 0, 0).circle(80, 50, 5, -1, 0).build());
+    Run.step(world, 21);
+    ImpactLog log = world.impacts();
+    assertThat(log.size()).isOne();
+    assertThat(log.circle(0)).isZero();
+    assertThat(log.kind(0)).isEqualTo(ObstacleKind.CIRCLE);
+    assertThat(log.id(0)).isOne();
+  }
+
   // Nearest.
 
   @Test
