@@ -559,7 +559,7 @@ public final class ContactCore {
     boolean driven = parts.areMoving();
     if (driven) {
       squeeze.widen(flights.drive);
-      squeeze.bulge(u);
+      squeeze.bulge(u, h);
     }
     flights.part(h);
     flights.pass(h, clock.slow());

@@ -128,18 +128,18 @@ final class Squeeze {
    * Lets circles between two opposite contacts of a squeezed group fly aside: to where they already
    * bulge, else against gravity. So a row buckles while there is room between its circles.
    */
-  void bulge(double[] u) {
+  void bulge(double[] u, double h) {
     NearPairs p = graph.pairs;
     links.chain(p, graph.awake, graph.order);
     for (int q = 0; q < graph.awake; q++) {
       int i = graph.order[q];
       if (inside[groups.of(i)]) {
-        bulge(u, i);
+        bulge(u, h, i);
       }
     }
   }
 
-  private void bulge(double[] u, int i) {
+  private void bulge(double[] u, double h, int i) {
     for (int a = links.first(i); a >= 0; a = links.next(i, a)) {
       for (int b = links.next(i, a); b >= 0; b = links.next(i, b)) {
         double sa = links.sign(i, a);
@@ -147,7 +147,9 @@ final class Squeeze {
         NearPairs p = graph.pairs;
         double cosine = sa * sb * (p.nx[a] * p.nx[b] + p.ny[a] * p.ny[b]);
         if (presses(a) && presses(b) && cosine < ContactLaw.OPPOSITE) {
-          fly(u, i, sa * p.nx[a], sa * p.ny[a], sb * p.nx[b], sb * p.ny[b]);
+          double most = 2 * members.radius[i] / h; // out of the way
+          double speed = Math.min(most, ContactLaw.ASIDE * parts.fastest());
+          fly(u, i, speed, sa * p.nx[a], sa * p.ny[a], sb * p.nx[b], sb * p.ny[b]);
           return;
         }
       }
@@ -160,7 +162,7 @@ final class Squeeze {
   }
 
   /** Flies aside, between two contacts with the unit normals a and b. */
-  private void fly(double[] u, int i, double ax, double ay, double bx, double by) {
+  private void fly(double[] u, int i, double speed, double ax, double ay, double bx, double by) {
     double tx = -(ay - by);
     double ty = ax - bx;
     double bulge = (ax + bx) * tx + (ay + by) * ty;
@@ -172,7 +174,7 @@ final class Squeeze {
     double length = Math.copySign(Math.sqrt(tx * tx + ty * ty), way);
     tx /= length;
     ty /= length;
-    double more = ContactLaw.ASIDE * parts.fastest() - u[2 * i] * tx - u[2 * i + 1] * ty;
+    double more = speed - u[2 * i] * tx - u[2 * i + 1] * ty;
     if (more > 0) {
       u[2 * i] += more * tx;
       u[2 * i + 1] += more * ty;
