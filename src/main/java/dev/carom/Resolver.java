@@ -146,7 +146,8 @@ public final class Resolver {
    * @param restitution finite and at least 0; that of an impact is its product with the obstacle's
    * @param duration how long to follow it, finite and at least 0
    * @param impacts the number of the impact at which the path ends, at least 0: 1 is the first one,
-   *     which a {@link #cast(Circle, Vec2, double) cast} would find without gravity, and 0 the start
+   *     which a {@link #cast(Circle, Vec2, double) cast} would find without gravity, and 0 the
+   *     start
    * @return its flights and impacts, with times counted from the start
    * @throws IllegalArgumentException if the restitution or the duration is NaN, infinite or
    *     negative, or the number of impacts negative

@@ -623,7 +623,8 @@ public final class World {
    * @param restitution finite and at least 0; that of an impact is its product with the obstacle's
    * @param duration how long to follow it, finite and at least 0
    * @param impacts the number of the impact at which the path ends, at least 0: 1 is the first one,
-   *     which a {@link #cast(Circle, Vec2, double) cast} would find without gravity, and 0 the start
+   *     which a {@link #cast(Circle, Vec2, double) cast} would find without gravity, and 0 the
+   *     start
    * @return its flights and impacts, with times counted from now
    * @throws IllegalArgumentException if the restitution or the duration is NaN, infinite or
    *     negative, or the number of impacts negative
@@ -643,7 +644,8 @@ public final class World {
    * @param restitution finite and at least 0; that of an impact is its product with the obstacle's
    * @param duration how long to follow it, finite and at least 0
    * @param impacts the number of the impact at which the path ends, at least 0: 1 is the first one,
-   *     which a {@link #cast(Circle, Vec2, double) cast} would find without gravity, and 0 the start
+   *     which a {@link #cast(Circle, Vec2, double) cast} would find without gravity, and 0 the
+   *     start
    * @param category the categories that the circle belongs to
    * @param mask the categories that it can meet
    * @return its flights and impacts, with times counted from now

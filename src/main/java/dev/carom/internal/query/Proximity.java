@@ -96,7 +96,8 @@ public final class Proximity {
       }
     }
     return found.filtered(
-        code -> obstacles.isThere(code) && seen.test(code) && region.overlaps(obstacles, code, now));
+        code ->
+            obstacles.isThere(code) && seen.test(code) && region.overlaps(obstacles, code, now));
   }
 
   /** Names the obstacles of a kind that are in no tree: those that changed, and those that move. */
