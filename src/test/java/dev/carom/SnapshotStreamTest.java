@@ -307,7 +307,7 @@ class SnapshotStreamTest {
     byte[] bytes = small();
     ByteBuffer.wrap(bytes).putInt(VERSION, 1);
     assertRefused(
-        bytes, "its format version is 1: expected 11, the only one that this library reads");
+        bytes, "its format version is 1: expected 12, the only one that this library reads");
   }
 
   @ParameterizedTest
