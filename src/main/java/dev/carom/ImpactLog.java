@@ -67,13 +67,8 @@ public final class ImpactLog {
   /**
    * Returns the id of the circle; of two circles that collide, the smaller id, whichever moves.
    *
-   * <p>So a program that looks for the impacts of one circle tests both sides of a row:
-   *
-   * <pre>{@code
-   * boolean mine =
-   *     log.circle(row) == PUCK
-   *         || log.kind(row) == ObstacleKind.CIRCLE && log.id(row) == PUCK;
-   * }</pre>
+   * <p>So a program that looks for the impacts of one circle tests both sides of a row: {@code
+   * log.circle(row) == PUCK || log.kind(row) == ObstacleKind.CIRCLE && log.id(row) == PUCK}.
    *
    * @param row a row, 0..{@link #size()} - 1
    * @return its id; the larger id of two circles is that of {@link #id}
