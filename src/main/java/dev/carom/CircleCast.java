@@ -38,11 +38,11 @@ final class CircleCast {
   private static Optional<Impact> line(
       Circle c, Vec2 v, Vec2 g, Line l, Vec2 u, double maxTime) {
     Fall fall = fall(c, v, g).line(l.ax(), l.ay(), l.bx(), l.by(), u.x(), u.y());
-    return first(fall, ObstacleKind.LINE, l, maxTime);
+    return first(fall, ObstacleKind.LINE, l, u, maxTime);
   }
 
   private static Optional<Impact> first(
-      Fall fall, ObstacleKind kind, Obstacle obstacle, double maxTime) {
+      Fall fall, ObstacleKind kind, Obstacle obstacle, Vec2 u, double maxTime) {
     boolean isStraight = fall.isStraight();
     int straight = isStraight ? FallSweep.straightContact(fall) : 0;
     double t =
@@ -54,7 +54,7 @@ final class CircleCast {
     }
     int contact = isStraight ? straight : FallSweep.contact(fall, t);
     Hit hit = new Hit().of(fall, contact, t);
-    return Optional.of(impact(t, kind, Impact.NO_ID, obstacle, contact, hit));
+    return Optional.of(impact(t, kind, Impact.NO_ID, PublicRecords.moved(obstacle, u, t), contact, hit));
   }
 
   static Optional<Impact> bounds(Circle circle, Vec2 v, Bounds bounds, double maxTime) {
@@ -167,7 +167,7 @@ final class CircleCast {
       Circle c1, Vec2 v1, Vec2 g, Circle c2, Vec2 v2, ObstacleKind kind, Obstacle obstacle,
       double maxTime) {
     Fall fall = fall(c1, v1, g).disk(c2.x(), c2.y(), c2.radius(), v2.x(), v2.y());
-    return first(fall, kind, obstacle, maxTime);
+    return first(fall, kind, obstacle, v2, maxTime);
   }
 
   private static Fall fall(Circle c, Vec2 v, Vec2 g) {

@@ -10,8 +10,9 @@ package dev.carom;
  * @param id the id of the thing that was hit, in the world that was asked. From a {@link Resolver}
  *     it is the place in the list of its kind that the resolver was made of. For a wall it is 0
  *     left, 1 right, 2 bottom, 3 top. From the detector alone it is -1, except for walls
- * @param obstacle the thing that was hit, where it was at the start: also a line, a peg or a circle
- *     that moves. Of two moving circles it is the second one
+ * @param obstacle the thing that was hit, where it is at the impact: also a line, a peg or a circle
+ *     that moves. Of two moving circles it is the second one. A coordinate beyond the range of
+ *     doubles is the largest one
  * @param feature the part of it that was hit
  * @param point the contact point, on the obstacle; of two circles the point where they touch. If
  *     they overlap at the start, it is the point of the line or wall that is nearest to the centre;

@@ -21,7 +21,6 @@ import dev.carom.internal.util.Kind;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
-import java.util.function.IntFunction;
 
 /**
  * A {@code Resolver} follows one circle among obstacles for a given time, with all its bounces. It
@@ -53,16 +52,16 @@ public final class Resolver {
   private final ObstacleIndex index;
   private final Gravity gravity;
 
-  /** The records of the obstacles, by their codes. */
-  private final IntFunction<Obstacle> records;
+  /** The records of the obstacles, by their codes and at a time. */
+  private final PublicRecords.Obstacles records;
 
   /**
    * Makes a resolver among the obstacles of a table.
    *
    * @param gravity the acceleration of circles whose path is traced
-   * @param records the obstacle that a code stands for
+   * @param records the obstacle that a code stands for, at a time
    */
-  Resolver(ObstacleTable obstacles, Gravity gravity, IntFunction<Obstacle> records) {
+  Resolver(ObstacleTable obstacles, Gravity gravity, PublicRecords.Obstacles records) {
     index = new ObstacleIndex(obstacles);
     if (gravity.acts()) {
       index.beginFalls();
@@ -97,7 +96,7 @@ public final class Resolver {
       }
     }
     ObstacleTable table = ObstacleTable.of(builder.build());
-    return new Resolver(table, new Gravity(0, 0), code -> record(table, code, lines, pegs));
+    return new Resolver(table, new Gravity(0, 0), (code, time) -> record(table, code, lines, pegs));
   }
 
   private static void add(SceneDataBuilder builder, Bounds bounds) {
@@ -192,7 +191,7 @@ public final class Resolver {
     }
     int code = body.next;
     ObstacleKind kind = ObstacleKind.of(Codes.kind(code));
-    Obstacle obstacle = records.apply(code);
+    Obstacle obstacle = records.at(code, body.cleared);
     return Optional.of(
         CircleCast.impact(body, tracer.hit(body), kind, Codes.index(code), obstacle));
   }
@@ -239,7 +238,7 @@ public final class Resolver {
         new Proximity(index, () -> 0)
             .nearest(
                 Kind.WALL, Kind.CIRCLE, point.x(), point.y(), index.obstacles.met(Filter.DEFAULT));
-    return nearest == Index.NONE ? Optional.empty() : Optional.of(records.apply(nearest));
+    return nearest == Index.NONE ? Optional.empty() : Optional.of(records.at(nearest, 0));
   }
 
   /**
@@ -280,7 +279,7 @@ public final class Resolver {
     List<Obstacle> things = new ArrayList<>();
     for (int code : codes) {
       if (!Codes.isWall(code) || things.isEmpty()) {
-        things.add(records.apply(code));
+        things.add(records.at(code, 0));
       }
     }
     return List.copyOf(things);

@@ -374,7 +374,9 @@ public final class Scene {
   public Resolver resolver() {
     ObstacleTable obstacles = ObstacleTable.of(data);
     return new Resolver(
-        obstacles, new Gravity(data.gx, data.gy), code -> PublicRecords.of(obstacles, code, 0));
+        obstacles,
+        new Gravity(data.gx, data.gy),
+        (code, t) -> PublicRecords.of(obstacles, code, t));
   }
 
   /**

@@ -9,7 +9,6 @@ import dev.carom.internal.util.DoubleList;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Objects;
-import java.util.function.IntFunction;
 import java.util.stream.Stream;
 
 /**
@@ -35,9 +34,9 @@ public final class Trajectory {
   /**
    * Returns the path that a tracer found.
    *
-   * @param records the obstacle that a code stands for
+   * @param records the obstacle that a code stands for, at a time
    */
-  static Trajectory of(TracedPath path, IntFunction<Obstacle> records) {
+  static Trajectory of(TracedPath path, PublicRecords.Obstacles records) {
     List<Flight> flights = new ArrayList<>();
     DoubleList f = path.flights();
     for (int k = 0; k < f.size(); k += TracedPath.FLIGHT) {
@@ -58,14 +57,14 @@ public final class Trajectory {
     return new Trajectory(flights, impacts, path.duration(), path.complete());
   }
 
-  private static Impact impact(ImpactRows rows, int row, IntFunction<Obstacle> records) {
+  private static Impact impact(ImpactRows rows, int row, PublicRecords.Obstacles records) {
     int kind = rows.kind(row);
     int id = rows.obstacle(row);
     return new Impact(
         rows.time(row),
         ObstacleKind.of(kind),
         id,
-        records.apply(Codes.of(kind, id)),
+        records.at(Codes.of(kind, id), rows.time(row)),
         Feature.of(rows.feature(row)),
         new Vec2(rows.x(row), rows.y(row)),
         new Vec2(rows.nx(row), rows.ny(row)),

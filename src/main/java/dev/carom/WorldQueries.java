@@ -112,13 +112,22 @@ final class WorldQueries {
     int code = first.next;
     if (!Codes.isCircle(code)) {
       ObstacleKind kind = ObstacleKind.of(Codes.kind(code));
-      Obstacle thing = PublicRecords.of(obstacles, code, 0);
+      Obstacle thing = PublicRecords.of(obstacles, code, first.cleared);
       return CircleCast.impact(first, tracer.hit(first), kind, Codes.index(code), thing);
     }
     int slot = Codes.slot(code);
-    Circle circle = new Circle(circles.x(slot, now), circles.y(slot, now), circles.radius(slot));
+    Circle circle = new Circle(circleAt(slot, now, first.cleared), circles.radius(slot));
     int id = registry.id(slot);
     return CircleCast.impact(first, queries.hit(first, now), ObstacleKind.CIRCLE, id, circle);
+  }
+
+  /** Returns the centre of a circle some time from now, on its present flight. */
+  private Vec2 circleAt(int slot, double now, double t) {
+    double x = circles.x(slot, now);
+    double y = circles.y(slot, now);
+    return Vec2.within(
+        MovingCircle.place(x, circles.flightX(slot, now), circles.gx(slot), t),
+        MovingCircle.place(y, circles.flightY(slot, now), circles.gy(slot), t));
   }
 
   Trajectory trace(
@@ -136,7 +145,7 @@ final class WorldQueries {
     try {
       TracedPath path =
           new Tracer(index, gravity).trace(body, duration, impacts, Resolver.IMPACTS_PER_TRACE);
-      return Trajectory.of(path, code -> PublicRecords.of(obstacles, code, 0));
+      return Trajectory.of(path, (code, t) -> PublicRecords.of(obstacles, code, t));
     } finally {
       obstacles.setEpoch(0);
     }

@@ -123,7 +123,7 @@ class SweptCircleOtherObstaclesTest {
             2,
             ObstacleKind.CIRCLE,
             -1,
-            second,
+            new Circle(7, 0, 2),
             Feature.CIRCLE,
             new Vec2(5, 0),
             new Vec2(-1, 0),
