@@ -6,7 +6,6 @@ import dev.carom.internal.state.FlightHistory;
 import dev.carom.internal.state.TimelineRecorder;
 import dev.carom.internal.util.Check;
 import dev.carom.internal.util.Kind;
-import java.util.Optional;
 
 /**
  * A {@code Timeline} holds the recorded past of a world. It tells where each circle was, and how it
@@ -57,14 +56,19 @@ public final class Timeline {
   }
 
   /**
-   * Tells whether a circle existed at a given time, and that time is known.
+   * Tells whether a thing existed at a given time, and that time is known.
    *
+   * @param kind which kind of thing; of walls those exist that the bounds have
    * @param id any number
    * @param t any number
-   * @return true if this timeline can be asked for the circle at that time
+   * @return true if this timeline can be asked for the thing at that time
    */
-  public boolean contains(int id, double t) {
-    return recorder.track(id, t) != null;
+  public boolean contains(ObstacleKind kind, int id, double t) {
+    return switch (Check.notNull("kind", kind)) {
+      case CIRCLE -> recorder.track(id, t) != null;
+      case WALL -> isKnown(t) && isId(Kind.WALL, id) && recorder.walls() != null;
+      case LINE, PEG -> isKnown(t) && row(kind, id, t) != null;
+    };
   }
 
   /**
@@ -135,15 +139,11 @@ public final class Timeline {
    *
    * @param id the line
    * @param t a time from {@link #start} to {@link #end}
-   * @return the line; empty if it was not there then
-   * @throws IllegalArgumentException if the time is not known
+   * @return the line
+   * @throws IllegalArgumentException if the time is not known, or the line was not there then
    */
-  public Optional<Line> line(int id, double t) {
-    double time = checked(t);
-    return !isId(Kind.LINE, id)
-        ? Optional.empty()
-        : Optional.ofNullable(recorder.obstacle(Codes.line(id), time))
-            .map(row -> PublicRecords.line(row, 0));
+  public Line line(int id, double t) {
+    return PublicRecords.line(checkedRow(ObstacleKind.LINE, "line", id, t), 0);
   }
 
   /**
@@ -151,15 +151,11 @@ public final class Timeline {
    *
    * @param id the peg
    * @param t a time from {@link #start} to {@link #end}
-   * @return the peg; empty if it was not there then
-   * @throws IllegalArgumentException if the time is not known
+   * @return the peg
+   * @throws IllegalArgumentException if the time is not known, or the peg was not there then
    */
-  public Optional<Circle> peg(int id, double t) {
-    double time = checked(t);
-    return !isId(Kind.PEG, id)
-        ? Optional.empty()
-        : Optional.ofNullable(recorder.obstacle(Codes.peg(id), time))
-            .map(row -> PublicRecords.peg(row, 0));
+  public Circle peg(int id, double t) {
+    return PublicRecords.peg(checkedRow(ObstacleKind.PEG, "peg", id, t), 0);
   }
 
   /**
@@ -187,8 +183,30 @@ public final class Timeline {
     return id >= 0 && id < Codes.limit(kind);
   }
 
+  /** The row of a line or a peg at a known time; null if it was not there then. */
+  private double[] row(ObstacleKind kind, int id, double t) {
+    int number = kind.ordinal();
+    return isId(number, id) ? recorder.obstacle(Codes.of(number, id), t) : null;
+  }
+
+  private double[] checkedRow(ObstacleKind kind, String name, int id, double t) {
+    double[] row = row(kind, id, checked(t));
+    if (row == null) {
+      throw unknown(name, id, t);
+    }
+    return row;
+  }
+
+  private static IllegalArgumentException unknown(String name, int id, double t) {
+    return Check.refused(name + " " + id, "unknown at " + t, "one that was there then");
+  }
+
+  private boolean isKnown(double t) {
+    return t >= start() && t <= end();
+  }
+
   private double checked(double t) {
-    if (!(t >= start() && t <= end())) {
+    if (!isKnown(t)) {
       throw Check.refused("t", t, "a time of the recording, from " + start() + " to " + end());
     }
     return t;
@@ -198,7 +216,7 @@ public final class Timeline {
     FlightHistory track = recorder.track(id, t);
     if (track == null) {
       checked(t);
-      throw Check.refused("circle " + id, "unknown at " + t, "one that was there then");
+      throw unknown("circle", id, t);
     }
     return track;
   }

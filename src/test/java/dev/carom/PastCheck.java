@@ -45,7 +45,7 @@ final class PastCheck {
     int compared = compareSnapshots();
     for (int i : seen.keySet()) {
       for (double t : seen.get(i).keySet()) {
-        if (past.contains(i, t)) {
+        if (past.contains(ObstacleKind.CIRCLE, i, t)) {
           Run.State then = new Run.State(past.x(i, t), past.y(i, t), past.vx(i, t), past.vy(i, t));
           assertThat(then).as("circle %s at %s", i, t).isEqualTo(seen.get(i).get(t));
           compared++;

@@ -140,9 +140,9 @@ class IdLimitTest {
     Run.step(world, 4);
     assertThat(past.x(7, 0)).isEqualTo(50);
     assertThat(past.y(id, 0.5)).isEqualTo(24.5);
-    assertThat(past.contains(0, 3.5)).isTrue();
-    assertThat(past.contains(0, 4)).isFalse();
-    assertThat(past.contains(3, 3)).isFalse();
-    assertThat(past.contains(CIRCLES - 20, 3)).isFalse();
+    assertThat(past.contains(CIRCLE, 0, 3.5)).isTrue();
+    assertThat(past.contains(CIRCLE, 0, 4)).isFalse();
+    assertThat(past.contains(CIRCLE, 3, 3)).isFalse();
+    assertThat(past.contains(CIRCLE, CIRCLES - 20, 3)).isFalse();
   }
 }

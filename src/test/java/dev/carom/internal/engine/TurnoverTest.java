@@ -110,8 +110,8 @@ class TurnoverTest {
     int recorded = 0;
     for (int id = 0; id < world.idLimit(CIRCLE); id++) {
       double t = world.now() * random.nextDouble();
-      assertThat(past.contains(id, t)).isEqualTo(pastBeside.contains(id, t));
-      if (past.contains(id, t)) {
+      assertThat(past.contains(CIRCLE, id, t)).isEqualTo(pastBeside.contains(CIRCLE, id, t));
+      if (past.contains(CIRCLE, id, t)) {
         assertThat(past.x(id, t)).isEqualTo(pastBeside.x(id, t));
         recorded++;
       }
