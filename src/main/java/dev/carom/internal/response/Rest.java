@@ -110,7 +110,7 @@ final class Rest {
         double vx = gx * tick + pushX[j] * w;
         double vy = gy * tick + pushY[j] * w;
         boolean isPressed = push[j] * w > 2 * members.load[j] * w + kick;
-        if (isPressed || moves(j, vx, vy, ContactLaw.WAKE * kick, now)) {
+        if (isPressed || moves(j, vx, vy, least(j) * kick, now)) {
           wake(j, now);
           host.flies(j);
           any = true;
@@ -119,6 +119,11 @@ final class Rest {
     }
     asked.clear();
     return any;
+  }
+
+  /** In kicks: what counts of a speed. Where nothing pushes any more no solve has an error. */
+  private double least(int j) {
+    return push[j] > 0 ? ContactLaw.WAKE : ContactLaw.RESIDUAL / 16;
   }
 
   private void gatherPushes() {
