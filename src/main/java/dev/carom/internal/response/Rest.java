@@ -121,9 +121,11 @@ final class Rest {
     return any;
   }
 
-  /** In kicks: what counts of a speed. Where nothing pushes any more no solve has an error. */
+  /**
+   * In kicks: the least speed that wakes. Where nothing pushes, no solve errs, and g alone decides.
+   */
   private double least(int j) {
-    return push[j] > 0 ? ContactLaw.WAKE : ContactLaw.RESIDUAL / 16;
+    return push[j] > 0 ? ContactLaw.WAKE : ContactLaw.FLAT;
   }
 
   private void gatherPushes() {
