@@ -16,7 +16,7 @@ import org.junit.jupiter.params.provider.ValueSource;
 class EndsTest {
 
   /** The most elastic impacts with obstacles at one place. */
-  private static final int PATIENCE = 1_024;
+  private static final int PATIENCE = 1_536;
 
   /** For a call to have work for some thousand impacts only. */
   private static final EngineOptions SMALL_BUDGET = EngineOptions.budget(1.0 / 200);

@@ -19,8 +19,8 @@ import java.util.Set;
  */
 final class JamCheck {
 
-  /** Rows at one place until a circle is jammed. */
-  static final int MOST = 3_000;
+  /** Rows at one place until a circle is jammed: 1,536 elastic impacts, and some that jam it. */
+  static final int MOST = 1_600;
 
   /** The part of its coordinates by which a circle at one place moves at most from row to row. */
   private static final double PLACE = 0x1p-41;

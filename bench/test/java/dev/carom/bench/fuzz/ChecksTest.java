@@ -294,7 +294,7 @@ class ChecksTest extends FlightChecks {
     world.step(1);
     jam.check(world, timeline, true);
     assertThatThrownBy(() -> jam.check(world, timeline, true))
-        .hasMessageContaining("circle 0 made 3001 rows at one place");
+        .hasMessageContaining("circle 0 made 1601 rows at one place");
   }
 
   /** As if something had hit it, that moves. */
