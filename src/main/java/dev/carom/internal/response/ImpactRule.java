@@ -6,18 +6,19 @@ import dev.carom.internal.state.ImpactRows;
 import dev.carom.internal.state.MovingCircle;
 
 /**
- * What follows an impact under gravity, of approach u along the unit normal n, restitution e, and
- * the relative acceleration a along n. An approach is slow below {@code s = 4 g tau}.
+ * When a circle has made so many impacts at one place that it is stuck; and what follows an impact
+ * under gravity, of approach u along the unit normal n, restitution e, and the relative
+ * acceleration a along n. An approach is slow below {@code s = 4 g tau}.
  *
  * <ul>
  *   <li>What comes fast takes its impulse at once.
  *   <li>On one flat side the bounces follow each other down to a hop of {@code (e u)^2 / (2 |a|) =
  *       2^-40 R}. Then the circle <b>slides</b>. A sliding circle that meets another side changes
  *       to that if it leaves its own.
- *   <li>What gravity does not press together, {@code a >= 0}, <b>bounces</b>. So does what comes
- *       fast, and what makes such a hop for e from 1 on.
- *   <li>Else the circles <b>join</b> those in contact, see {@link ContactCore}. So does, for e
- *       below 1, a circle that made 24 impacts at one place, in the rounding of coordinates.
+ *   <li>What gravity does not press together, beyond the rounding of n, <b>bounces</b>. So does
+ *       what comes fast, and what makes such a hop for e from 1 on.
+ *   <li>Else the circles <b>join</b> those in contact, see {@link ContactCore}. So does one that
+ *       made 24 impacts at one place, 1,536 for e from 1 on.
  * </ul>
  */
 final class ImpactRule {
