@@ -11,6 +11,25 @@ import org.junit.jupiter.params.provider.ValueSource;
 /** Circles without room, which hit obstacles and each other many times at one time, or nearly. */
 class ImpactsAtOneTimeTest {
 
+  /**
+   * A ball hits two touching ones at one moment: first the one of the lower id, by an impulse along
+   * (sqrt(3) / 2, y / 2), then the other one with what is left.
+   */
+  @ParameterizedTest
+  @ValueSource(ints = {1, -1})
+  void aBallHitsTwoInTheOrderOfTheirIds(int y) {
+    SceneBuilder scene = Scene.builder().collide(true);
+    scene.circle(-5, 0, 1, 1, 0).circle(0, y, 1, 0, 0).circle(0, -y, 1, 0, 0);
+    World world = new World(scene.build());
+    assertReaches(world, 10);
+    double part = Math.sqrt(3) / 8;
+    double[] expected = {-1 / 8.0, -y * part, 3 / 4.0, 2 * y * part, 3 / 8.0, -y * part};
+    for (int i = 0; i < 3; i++) {
+      assertThat(world.vx(i)).isCloseTo(expected[2 * i], within(1e-15));
+      assertThat(world.vy(i)).isCloseTo(expected[2 * i + 1], within(1e-15));
+    }
+  }
+
   /** Two lines press a ball down upon one that halts, and nothing holds that one. */
   @Test
   void twoCirclesThatHaltFallTogether() {
