@@ -8,7 +8,7 @@ import dev.carom.internal.util.Check;
  * half-planes: the left one is everything with {@code x <= xmin}, also above and below the
  * rectangle.
  *
- * <p>In {@link World#overlapping(ObstacleKind, Bounds)} they are the box that is asked about.
+ * <p>In {@link World#overlapping(Kind, Bounds)} they are the box that is asked about.
  *
  * @param xmin the x coordinate of the left wall, finite
  * @param ymin the y coordinate of the bottom wall, finite

@@ -224,8 +224,8 @@ public final class Casts {
    * @throws IndexOutOfBoundsException if there is no such cast
    * @throws IllegalArgumentException if the cast {@linkplain #hits hits} nothing
    */
-  public ObstacleKind kind(int i) {
-    return ObstacleKind.of(kinds[checkHit(i)]);
+  public Kind kind(int i) {
+    return Kind.of(kinds[checkHit(i)]);
   }
 
   /**

@@ -38,11 +38,11 @@ final class CircleCast {
   private static Optional<Impact> line(
       Circle c, Vec2 v, Vec2 g, Line l, Vec2 u, double maxTime) {
     Fall fall = fall(c, v, g).line(l.ax(), l.ay(), l.bx(), l.by(), u.x(), u.y());
-    return first(fall, ObstacleKind.LINE, l, u, maxTime);
+    return first(fall, Kind.LINE, l, u, maxTime);
   }
 
   private static Optional<Impact> first(
-      Fall fall, ObstacleKind kind, Obstacle obstacle, Vec2 u, double maxTime) {
+      Fall fall, Kind kind, Obstacle obstacle, Vec2 u, double maxTime) {
     boolean isStraight = fall.isStraight();
     int straight = isStraight ? FallSweep.straightContact(fall) : 0;
     double t =
@@ -73,7 +73,7 @@ final class CircleCast {
     double wall = vertical ? wallX : wallY;
     double t = vertical ? tx : ty;
     Hit hit = new Hit().ofWall(fall(circle, v, Vec2.ZERO), id, wall, t);
-    return Optional.of(impact(t, ObstacleKind.WALL, id, bounds, 0, hit));
+    return Optional.of(impact(t, Kind.WALL, id, bounds, 0, hit));
   }
 
   /**
@@ -87,7 +87,7 @@ final class CircleCast {
 
   /** Disk 1 against disk 2, which is reported as the given obstacle. */
   static Optional<Impact> disk(
-      Circle c1, Vec2 v1, Circle c2, Vec2 v2, ObstacleKind kind, Obstacle obstacle,
+      Circle c1, Vec2 v1, Circle c2, Vec2 v2, Kind kind, Obstacle obstacle,
       double maxTime) {
     return accelerated(c1, v1, Vec2.ZERO, c2, v2, kind, obstacle, maxTime);
   }
@@ -102,7 +102,7 @@ final class CircleCast {
       return acceleratedToBounds(c, v, g, bounds, maxTime);
     }
     return accelerated(
-        c, v, g, peg(obstacle), Vec2.ZERO, ObstacleKind.PEG, obstacle, maxTime);
+        c, v, g, peg(obstacle), Vec2.ZERO, Kind.PEG, obstacle, maxTime);
   }
 
   private static Optional<Impact> acceleratedToBounds(
@@ -120,7 +120,7 @@ final class CircleCast {
       return Optional.empty();
     }
     Hit hit = new Hit().ofWall(fall(c, v, g), first, wall(bounds, first), time);
-    return Optional.of(impact(time, ObstacleKind.WALL, first, bounds, 0, hit));
+    return Optional.of(impact(time, Kind.WALL, first, bounds, 0, hit));
   }
 
   private static double wallTime(
@@ -164,7 +164,7 @@ final class CircleCast {
 
   /** Disk 1 with a constant acceleration g against disk 2, which is reported as the obstacle. */
   static Optional<Impact> accelerated(
-      Circle c1, Vec2 v1, Vec2 g, Circle c2, Vec2 v2, ObstacleKind kind, Obstacle obstacle,
+      Circle c1, Vec2 v1, Vec2 g, Circle c2, Vec2 v2, Kind kind, Obstacle obstacle,
       double maxTime) {
     Fall fall = fall(c1, v1, g).disk(c2.x(), c2.y(), c2.radius(), v2.x(), v2.y());
     return first(fall, kind, obstacle, v2, maxTime);
@@ -175,18 +175,18 @@ final class CircleCast {
   }
 
   /** The impact that a cast found first. */
-  static Impact impact(MovingCircle first, Hit hit, ObstacleKind kind, int id, Obstacle obstacle) {
+  static Impact impact(MovingCircle first, Hit hit, Kind kind, int id, Obstacle obstacle) {
     return impact(first.cleared, kind, id, obstacle, first.contact, hit);
   }
 
   private static Impact impact(
-      double t, ObstacleKind kind, int id, Obstacle obstacle, int contact, Hit hit) {
+      double t, Kind kind, int id, Obstacle obstacle, int contact, Hit hit) {
     return new Impact(
         t,
         kind,
         id,
         obstacle,
-        kind == ObstacleKind.WALL ? Feature.SIDE : Feature.of(Contact.part(contact)),
+        kind == Kind.WALL ? Feature.SIDE : Feature.of(Contact.part(contact)),
         new Vec2(hit.x(), hit.y()),
         new Vec2(hit.nx(), hit.ny()),
         hit.approachSpeed());

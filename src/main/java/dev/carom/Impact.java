@@ -27,7 +27,7 @@ package dev.carom;
  */
 public record Impact(
     double time,
-    ObstacleKind kind,
+    Kind kind,
     int id,
     Obstacle obstacle,
     Feature feature,

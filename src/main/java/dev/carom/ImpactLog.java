@@ -11,7 +11,7 @@ import java.util.function.IntUnaryOperator;
  * <p>Rows are numbered from 0, in the order of time. At equal times the order depends on the world.
  * Where circles ignore each other, it is by the id of the circle, and the impacts of one circle
  * stand as they happened. Where circles collide, it is the order in which the impacts were
- * resolved, see {@link ObstacleKind}.
+ * resolved, see {@link Kind}.
  *
  * <p>Under {@linkplain SceneBuilder#gravity gravity}, a circle that bounces lower and lower ends in
  * a row with the outcome {@link Outcome#SETTLED}. To slide or to rest makes no further rows. In a
@@ -27,7 +27,7 @@ public final class ImpactLog {
   /** The number of rows that {@link #toString} prints. */
   private static final int ROWS_SHOWN = 10;
 
-  private static final int CIRCLE = ObstacleKind.CIRCLE.ordinal();
+  private static final int CIRCLE = Kind.CIRCLE.ordinal();
 
   private final ImpactRows rows;
 
@@ -68,7 +68,7 @@ public final class ImpactLog {
    * Returns the id of the circle; of two circles that collide, the smaller id, whichever moves.
    *
    * <p>So a program that looks for the impacts of one circle tests both sides of a row: {@code
-   * log.circle(row) == PUCK || log.kind(row) == ObstacleKind.CIRCLE && log.id(row) == PUCK}.
+   * log.circle(row) == PUCK || log.kind(row) == Kind.CIRCLE && log.id(row) == PUCK}.
    *
    * @param row a row, 0..{@link #size()} - 1
    * @return its id; the larger id of two circles is that of {@link #id}
@@ -85,8 +85,8 @@ public final class ImpactLog {
    * @return the kind
    * @throws IndexOutOfBoundsException if there is no such row
    */
-  public ObstacleKind kind(int row) {
-    return ObstacleKind.of(rows.kind(row));
+  public Kind kind(int row) {
+    return Kind.of(rows.kind(row));
   }
 
   /**

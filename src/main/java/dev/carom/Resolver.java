@@ -17,7 +17,7 @@ import dev.carom.internal.state.ObstacleTable;
 import dev.carom.internal.state.SceneDataBuilder;
 import dev.carom.internal.util.Check;
 import dev.carom.internal.util.Index;
-import dev.carom.internal.util.Kind;
+import dev.carom.internal.util.KindNumber;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
@@ -85,13 +85,13 @@ public final class Resolver {
       if (obstacle == null) {
         throw Check.isNull("obstacles[" + obstacles.indexOf(null) + "]");
       } else if (obstacle instanceof Line line) {
-        builder.obstacle(Kind.LINE, line.ax(), line.ay(), line.bx(), line.by());
+        builder.obstacle(KindNumber.LINE, line.ax(), line.ay(), line.bx(), line.by());
         lines.add(line);
       } else if (obstacle instanceof Bounds bounds) {
         add(builder, bounds);
       } else {
         Circle peg = CircleCast.peg(obstacle);
-        builder.obstacle(Kind.PEG, peg.x(), peg.y(), peg.radius());
+        builder.obstacle(KindNumber.PEG, peg.x(), peg.y(), peg.radius());
         pegs.add(obstacle);
       }
     }
@@ -112,8 +112,8 @@ public final class Resolver {
   private static Obstacle record(
       ObstacleTable table, int code, List<Obstacle> lines, List<Obstacle> pegs) {
     return switch (Codes.kind(code)) {
-      case Kind.WALL -> PublicRecords.bounds(table.walls);
-      case Kind.LINE -> lines.get(Codes.index(code));
+      case KindNumber.WALL -> PublicRecords.bounds(table.walls);
+      case KindNumber.LINE -> lines.get(Codes.index(code));
       default -> pegs.get(Codes.index(code));
     };
   }
@@ -190,7 +190,7 @@ public final class Resolver {
       return Optional.empty();
     }
     int code = body.next;
-    ObstacleKind kind = ObstacleKind.of(Codes.kind(code));
+    Kind kind = Kind.of(Codes.kind(code));
     Obstacle obstacle = records.at(code, body.cleared);
     return Optional.of(
         CircleCast.impact(body, tracer.hit(body), kind, Codes.index(code), obstacle));
@@ -237,7 +237,11 @@ public final class Resolver {
     int nearest =
         new Proximity(index, () -> 0)
             .nearest(
-                Kind.WALL, Kind.CIRCLE, point.x(), point.y(), index.obstacles.met(Filter.DEFAULT));
+                KindNumber.WALL,
+                KindNumber.CIRCLE,
+                point.x(),
+                point.y(),
+                index.obstacles.met(Filter.DEFAULT));
     return nearest == Index.NONE ? Optional.empty() : Optional.of(records.at(nearest, 0));
   }
 
@@ -268,7 +272,8 @@ public final class Resolver {
   private List<Obstacle> overlapping(Region region) {
     return things(
         new Proximity(index, () -> 0)
-            .overlapping(Kind.WALL, Kind.CIRCLE, region, index.obstacles.met(Filter.DEFAULT)));
+            .overlapping(
+                KindNumber.WALL, KindNumber.CIRCLE, region, index.obstacles.met(Filter.DEFAULT)));
   }
 
   /**

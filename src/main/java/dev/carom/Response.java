@@ -32,9 +32,9 @@ public enum Response {
    * <p>A contact is reported when a circle comes to touch the sensor, and again only after it was
    * clear of it. A flight that starts touching a sensor, or inside of it, counts as reported
    * already: the circle must leave before the next report. Leaving is not reported; {@link
-   * World#overlapping(ObstacleKind, Circle) World.overlapping} tells what overlaps a disk now.
-   * Circles sense each other only where circles collide. The bounds cannot be a sensor, because
-   * they keep circles inside.
+   * World#overlapping(Kind, Circle) World.overlapping} tells what overlaps a disk now. Circles
+   * sense each other only where circles collide. The bounds cannot be a sensor, because they keep
+   * circles inside.
    *
    * <p>One case is left to rounding: an edit at the very time of a report puts the circle where
    * rounding puts it. If that is outside by an ulp, the sensor is reported once more.

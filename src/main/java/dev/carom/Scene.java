@@ -11,7 +11,7 @@ import dev.carom.internal.state.Gravity;
 import dev.carom.internal.state.ObstacleTable;
 import dev.carom.internal.state.SceneData;
 import dev.carom.internal.util.Check;
-import dev.carom.internal.util.Kind;
+import dev.carom.internal.util.KindNumber;
 import java.io.IOException;
 import java.io.Reader;
 import java.nio.file.Path;
@@ -171,7 +171,7 @@ public final class Scene {
    * @return at least 0
    */
   public int lineCount() {
-    return data.obstacles.ofKind(Kind.LINE).count();
+    return data.obstacles.ofKind(KindNumber.LINE).count();
   }
 
   /**
@@ -180,7 +180,7 @@ public final class Scene {
    * @return at least 0
    */
   public int pegCount() {
-    return data.obstacles.ofKind(Kind.PEG).count();
+    return data.obstacles.ofKind(KindNumber.PEG).count();
   }
 
   /**
@@ -191,7 +191,7 @@ public final class Scene {
    * @throws IndexOutOfBoundsException if there is no such circle
    */
   public Circle circle(int i) {
-    at(ObstacleKind.CIRCLE, i);
+    at(Kind.CIRCLE, i);
     return new Circle(data.x(i), data.y(i), data.radius(i));
   }
 
@@ -203,7 +203,7 @@ public final class Scene {
    * @throws IndexOutOfBoundsException if there is no such circle
    */
   public Vec2 velocity(int i) {
-    at(ObstacleKind.CIRCLE, i);
+    at(Kind.CIRCLE, i);
     return new Vec2(data.vx(i), data.vy(i));
   }
 
@@ -215,9 +215,9 @@ public final class Scene {
    * @return the velocity; (0, 0) for a wall, and for a line or a peg that does not move
    * @throws IndexOutOfBoundsException if there is no such thing
    */
-  public Vec2 velocity(ObstacleKind kind, int i) {
+  public Vec2 velocity(Kind kind, int i) {
     int code = Codes.of(kind.ordinal(), at(kind, i));
-    return kind == ObstacleKind.CIRCLE
+    return kind == Kind.CIRCLE
         ? velocity(i)
         : new Vec2(data.obstacles.ux(code), data.obstacles.uy(code));
   }
@@ -230,7 +230,7 @@ public final class Scene {
    * @throws IndexOutOfBoundsException if there is no such circle
    */
   public double mass(int i) {
-    return data.registry.mass(at(ObstacleKind.CIRCLE, i));
+    return data.registry.mass(at(Kind.CIRCLE, i));
   }
 
   /**
@@ -241,7 +241,7 @@ public final class Scene {
    * @throws IndexOutOfBoundsException if there is no such line
    */
   public Line line(int i) {
-    return PublicRecords.line(data.obstacles, Codes.line(at(ObstacleKind.LINE, i)), 0);
+    return PublicRecords.line(data.obstacles, Codes.line(at(Kind.LINE, i)), 0);
   }
 
   /**
@@ -252,7 +252,7 @@ public final class Scene {
    * @throws IndexOutOfBoundsException if there is no such peg
    */
   public Circle peg(int i) {
-    return PublicRecords.peg(data.obstacles, Codes.peg(at(ObstacleKind.PEG, i)), 0);
+    return PublicRecords.peg(data.obstacles, Codes.peg(at(Kind.PEG, i)), 0);
   }
 
   /**
@@ -264,9 +264,9 @@ public final class Scene {
    * @return at least 0; 1, elastic, unless another was set
    * @throws IndexOutOfBoundsException if there is no such thing
    */
-  public double restitution(ObstacleKind kind, int i) {
+  public double restitution(Kind kind, int i) {
     at(kind, i);
-    return kind == ObstacleKind.CIRCLE
+    return kind == Kind.CIRCLE
         ? data.restitution(i)
         : data.obstacles.givenRestitution(Codes.of(kind.ordinal(), i));
   }
@@ -280,7 +280,7 @@ public final class Scene {
    *     circles
    * @throws IndexOutOfBoundsException if there is no such thing
    */
-  public Response response(ObstacleKind kind, int i) {
+  public Response response(Kind kind, int i) {
     return Response.of(ContactFlags.response(traits(kind, at(kind, i))));
   }
 
@@ -292,7 +292,7 @@ public final class Scene {
    * @throws IndexOutOfBoundsException if there is no such line
    */
   public boolean oneWay(int i) {
-    return ContactFlags.isOneWay(traits(ObstacleKind.LINE, at(ObstacleKind.LINE, i)));
+    return ContactFlags.isOneWay(traits(Kind.LINE, at(Kind.LINE, i)));
   }
 
   /**
@@ -332,7 +332,7 @@ public final class Scene {
    * @return the category, 1 unless another was set
    * @throws IndexOutOfBoundsException if there is no such thing
    */
-  public int category(ObstacleKind kind, int i) {
+  public int category(Kind kind, int i) {
     return Filter.category(filter(kind, i));
   }
 
@@ -345,13 +345,13 @@ public final class Scene {
    * @return the mask, -1 unless another was set
    * @throws IndexOutOfBoundsException if there is no such thing
    */
-  public int mask(ObstacleKind kind, int i) {
+  public int mask(Kind kind, int i) {
     return Filter.mask(filter(kind, i));
   }
 
-  private long filter(ObstacleKind kind, int i) {
+  private long filter(Kind kind, int i) {
     at(kind, i);
-    return kind == ObstacleKind.CIRCLE
+    return kind == Kind.CIRCLE
         ? data.registry.filter(i)
         : data.obstacles.filter(Codes.of(kind.ordinal(), i));
   }
@@ -430,18 +430,18 @@ public final class Scene {
   }
 
   /** Returns the {@link ContactFlags} of a thing that exists. */
-  private int traits(ObstacleKind kind, int i) {
-    return kind == ObstacleKind.CIRCLE
+  private int traits(Kind kind, int i) {
+    return kind == Kind.CIRCLE
         ? data.registry.traits(i)
         : data.obstacles.traits(Codes.of(kind.ordinal(), i));
   }
 
-  private int count(ObstacleKind kind) {
-    return kind == ObstacleKind.CIRCLE ? circleCount() : data.obstacles.end(kind.ordinal());
+  private int count(Kind kind) {
+    return kind == Kind.CIRCLE ? circleCount() : data.obstacles.end(kind.ordinal());
   }
 
   /** Returns the number of a thing that exists; any other one is refused. */
-  private int at(ObstacleKind kind, int i) {
+  private int at(Kind kind, int i) {
     int count = count(Check.notNull("kind", kind));
     if (i < 0 || i >= count) {
       String others = count == 0 ? "none of them" : count + " of them, from 0";

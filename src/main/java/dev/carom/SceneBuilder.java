@@ -3,7 +3,7 @@ package dev.carom;
 
 import dev.carom.internal.state.SceneDataBuilder;
 import dev.carom.internal.util.Check;
-import dev.carom.internal.util.Kind;
+import dev.carom.internal.util.KindNumber;
 
 /**
  * A {@code SceneBuilder} collects the things of a {@link Scene}. Each call adds one thing, or gives
@@ -58,7 +58,7 @@ public final class SceneBuilder {
    * @throws IllegalArgumentException if a coordinate is refused by {@link Line}
    */
   public SceneBuilder line(double ax, double ay, double bx, double by) {
-    data.obstacle(Kind.LINE, ax, ay, bx, by);
+    data.obstacle(KindNumber.LINE, ax, ay, bx, by);
     return this;
   }
 
@@ -72,7 +72,7 @@ public final class SceneBuilder {
    * @throws IllegalArgumentException if a number is refused by {@link Circle}
    */
   public SceneBuilder peg(double x, double y, double radius) {
-    data.obstacle(Kind.PEG, x, y, radius);
+    data.obstacle(KindNumber.PEG, x, y, radius);
     return this;
   }
 
@@ -140,7 +140,7 @@ public final class SceneBuilder {
    *     .circle(20, 30, 5, 1, 0).filter(BALL, -1) // bounces off the line
    *     .circle(20, 70, 5, 1, 0).filter(GHOST, -1) // flies through it
    *     .build();
-   * System.out.println(scene.category(ObstacleKind.CIRCLE, 1)); // 4
+   * System.out.println(scene.category(Kind.CIRCLE, 1)); // 4
    * }</pre>
    *
    * @param category the categories that the thing belongs to; 0 for a thing that meets nothing
@@ -178,7 +178,7 @@ public final class SceneBuilder {
    * Lets the line or the peg just added move with a constant velocity; without it, it rests.
    *
    * <p>Nothing deflects it, and it pushes the circles in its way: see {@link
-   * World#setVelocity(ObstacleKind, int, double, double) World.setVelocity}.
+   * World#setVelocity(Kind, int, double, double) World.setVelocity}.
    *
    * @param vx the x component, finite
    * @param vy the y component, finite

@@ -409,7 +409,7 @@ public final class SweptCircle {
       return CircleCast.bounds(circle, velocity, bounds, maxTime);
     }
     Circle peg = CircleCast.peg(obstacle);
-    return CircleCast.disk(circle, velocity, peg, Vec2.ZERO, ObstacleKind.PEG, obstacle, maxTime);
+    return CircleCast.disk(circle, velocity, peg, Vec2.ZERO, Kind.PEG, obstacle, maxTime);
   }
 
   /**
@@ -453,7 +453,7 @@ public final class SweptCircle {
     Check.notNull("second", second);
     Check.notNull("v2", v2);
     Check.duration("maxTime", maxTime);
-    return CircleCast.disk(first, v1, second, v2, ObstacleKind.CIRCLE, second, maxTime);
+    return CircleCast.disk(first, v1, second, v2, Kind.CIRCLE, second, maxTime);
   }
 
   /**
@@ -506,7 +506,7 @@ public final class SweptCircle {
     return acceleration.x() == 0 && acceleration.y() == 0
         ? cast(first, v1, second, v2, maxTime)
         : CircleCast.accelerated(
-            first, v1, acceleration, second, v2, ObstacleKind.CIRCLE, second, maxTime);
+            first, v1, acceleration, second, v2, Kind.CIRCLE, second, maxTime);
   }
 
   /**

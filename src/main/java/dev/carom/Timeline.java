@@ -5,7 +5,7 @@ import dev.carom.internal.state.Codes;
 import dev.carom.internal.state.FlightHistory;
 import dev.carom.internal.state.TimelineRecorder;
 import dev.carom.internal.util.Check;
-import dev.carom.internal.util.Kind;
+import dev.carom.internal.util.KindNumber;
 
 /**
  * A {@code Timeline} holds the recorded past of a world. It tells where each circle was, and how it
@@ -63,10 +63,10 @@ public final class Timeline {
    * @param t any number
    * @return true if this timeline can be asked for the thing at that time
    */
-  public boolean contains(ObstacleKind kind, int id, double t) {
+  public boolean contains(Kind kind, int id, double t) {
     return switch (Check.notNull("kind", kind)) {
       case CIRCLE -> recorder.track(id, t) != null;
-      case WALL -> isKnown(t) && isId(Kind.WALL, id) && recorder.walls() != null;
+      case WALL -> isKnown(t) && isId(KindNumber.WALL, id) && recorder.walls() != null;
       case LINE, PEG -> isKnown(t) && row(kind, id, t) != null;
     };
   }
@@ -143,7 +143,7 @@ public final class Timeline {
    * @throws IllegalArgumentException if the time is not known, or the line was not there then
    */
   public Line line(int id, double t) {
-    return PublicRecords.line(checkedRow(ObstacleKind.LINE, "line", id, t), 0);
+    return PublicRecords.line(checkedRow(Kind.LINE, "line", id, t), 0);
   }
 
   /**
@@ -155,7 +155,7 @@ public final class Timeline {
    * @throws IllegalArgumentException if the time is not known, or the peg was not there then
    */
   public Circle peg(int id, double t) {
-    return PublicRecords.peg(checkedRow(ObstacleKind.PEG, "peg", id, t), 0);
+    return PublicRecords.peg(checkedRow(Kind.PEG, "peg", id, t), 0);
   }
 
   /**
@@ -184,12 +184,12 @@ public final class Timeline {
   }
 
   /** The row of a line or a peg at a known time; null if it was not there then. */
-  private double[] row(ObstacleKind kind, int id, double t) {
+  private double[] row(Kind kind, int id, double t) {
     int number = kind.ordinal();
     return isId(number, id) ? recorder.obstacle(Codes.of(number, id), t) : null;
   }
 
-  private double[] checkedRow(ObstacleKind kind, String name, int id, double t) {
+  private double[] checkedRow(Kind kind, String name, int id, double t) {
     double[] row = row(kind, id, checked(t));
     if (row == null) {
       throw unknown(name, id, t);

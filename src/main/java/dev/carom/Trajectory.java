@@ -62,7 +62,7 @@ public final class Trajectory {
     int id = rows.obstacle(row);
     return new Impact(
         rows.time(row),
-        ObstacleKind.of(kind),
+        Kind.of(kind),
         id,
         records.at(Codes.of(kind, id), rows.time(row)),
         Feature.of(rows.feature(row)),

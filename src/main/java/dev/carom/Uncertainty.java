@@ -127,12 +127,12 @@ public final class Uncertainty {
       throw Check.refused("length", length, "more than 0");
     }
     this.length = length;
-    ids = world.ids(ObstacleKind.CIRCLE);
+    ids = world.ids(Kind.CIRCLE);
     paths = new PathError[ids.length];
     for (int id : ids) {
       restart(id);
     }
-    for (int id : world.ids(ObstacleKind.PEG)) {
+    for (int id : world.ids(Kind.PEG)) {
       leastPeg = Math.min(leastPeg, world.peg(id).radius());
     }
   }
@@ -169,7 +169,7 @@ public final class Uncertainty {
 
   /** Makes room for circles that were added, and forgets those that were removed. */
   private void listCircles() {
-    int[] present = world.ids(ObstacleKind.CIRCLE);
+    int[] present = world.ids(Kind.CIRCLE);
     paths = Arrays.stream(present).mapToObj(this::path).toArray(PathError[]::new);
     ids = present;
   }
@@ -369,7 +369,7 @@ public final class Uncertainty {
    */
   public double lostAt() {
     double first = Double.POSITIVE_INFINITY;
-    for (int id : world.ids(ObstacleKind.CIRCLE)) {
+    for (int id : world.ids(Kind.CIRCLE)) {
       first = Math.min(first, lostAt(id));
     }
     return first;

@@ -17,7 +17,7 @@ import dev.carom.internal.state.SceneData;
 import dev.carom.internal.state.TimelineRecorder;
 import dev.carom.internal.state.WorldState;
 import dev.carom.internal.util.Check;
-import dev.carom.internal.util.Kind;
+import dev.carom.internal.util.KindNumber;
 import java.util.Arrays;
 import java.util.Optional;
 
@@ -53,9 +53,9 @@ import java.util.Optional;
  * <p>A step goes on for a time span ({@link #step step}), to a time ({@link #advanceTo advanceTo})
  * or to the next impact ({@link #advanceToImpact advanceToImpact}). Between steps a world can be
  * edited, asked ({@link #cast(Circle, Vec2, double) cast}, {@link #trace trace}, {@link #nearest
- * nearest}, {@link #overlapping(ObstacleKind, Circle) overlapping}), saved ({@link #snapshot}) and
- * recorded ({@link #record record}). A world belongs to one thread at a time. Different worlds
- * share nothing that changes.
+ * nearest}, {@link #overlapping(Kind, Circle) overlapping}), saved ({@link #snapshot}) and recorded
+ * ({@link #record record}). A world belongs to one thread at a time. Different worlds share nothing
+ * that changes.
  *
  * <p>See <a href="doc-files/rules.html">Rules and limits</a>: contact, edits, questions, budget,
  * stuck circles, moving obstacles, gravity, infinite mass, accuracy. <a
@@ -346,7 +346,7 @@ public final class World {
    * @throws IndexOutOfBoundsException if there is no such line
    */
   public Line line(int id) {
-    return PublicRecords.line(obstacles, code(ObstacleKind.LINE, id), now);
+    return PublicRecords.line(obstacles, code(Kind.LINE, id), now);
   }
 
   /**
@@ -357,7 +357,7 @@ public final class World {
    * @throws IndexOutOfBoundsException if there is no such peg
    */
   public Circle peg(int id) {
-    return PublicRecords.peg(obstacles, code(ObstacleKind.PEG, id), now);
+    return PublicRecords.peg(obstacles, code(Kind.PEG, id), now);
   }
 
   /**
@@ -368,7 +368,7 @@ public final class World {
    * @return the velocity; (0, 0) for a wall, and for a line or a peg that does not move
    * @throws IndexOutOfBoundsException if there is no such thing
    */
-  public Vec2 velocity(ObstacleKind kind, int id) {
+  public Vec2 velocity(Kind kind, int id) {
     return questions.velocity(code(kind, id), now);
   }
 
@@ -408,7 +408,7 @@ public final class World {
    * @return at least 0; 1 is elastic
    * @throws IndexOutOfBoundsException if there is no such thing
    */
-  public double restitution(ObstacleKind kind, int id) {
+  public double restitution(Kind kind, int id) {
     return questions.restitution(code(kind, id));
   }
 
@@ -420,7 +420,7 @@ public final class World {
    * @return the response; of a circle, to other circles
    * @throws IndexOutOfBoundsException if there is no such thing
    */
-  public Response response(ObstacleKind kind, int id) {
+  public Response response(Kind kind, int id) {
     return questions.response(code(kind, id));
   }
 
@@ -433,7 +433,7 @@ public final class World {
    * @return the category; 1 unless another was set
    * @throws IndexOutOfBoundsException if there is no such thing
    */
-  public int category(ObstacleKind kind, int id) {
+  public int category(Kind kind, int id) {
     return Filter.category(questions.filter(code(kind, id)));
   }
 
@@ -446,7 +446,7 @@ public final class World {
    * @return the mask; -1 unless another was set
    * @throws IndexOutOfBoundsException if there is no such thing
    */
-  public int mask(ObstacleKind kind, int id) {
+  public int mask(Kind kind, int id) {
     return Filter.mask(questions.filter(code(kind, id)));
   }
 
@@ -458,7 +458,7 @@ public final class World {
    * @throws IndexOutOfBoundsException if there is no such line
    */
   public boolean oneWay(int id) {
-    return questions.isOneWay(code(ObstacleKind.LINE, id));
+    return questions.isOneWay(code(Kind.LINE, id));
   }
 
   /**
@@ -473,7 +473,7 @@ public final class World {
    * @param id any number
    * @return false if it was removed, or never existed
    */
-  public boolean contains(ObstacleKind kind, int id) {
+  public boolean contains(Kind kind, int id) {
     return ids.contains(number(kind), id);
   }
 
@@ -483,7 +483,7 @@ public final class World {
    * @param kind a kind
    * @return the ids of those that exist now, ascending, in a new array
    */
-  public int[] ids(ObstacleKind kind) {
+  public int[] ids(Kind kind) {
     Check.notNull("kind", kind);
     return questions.ids(kind);
   }
@@ -494,7 +494,7 @@ public final class World {
    * @param kind a kind
    * @return the limit: every thing of that kind has, or had, a smaller id
    */
-  public int idLimit(ObstacleKind kind) {
+  public int idLimit(Kind kind) {
     return ids.end(number(kind));
   }
 
@@ -509,11 +509,11 @@ public final class World {
   }
 
   /** Returns the code of a thing that exists; any other id is refused. */
-  private int code(ObstacleKind kind, int id) {
+  private int code(Kind kind, int id) {
     return ids.checked(number(kind), id);
   }
 
-  private static int number(ObstacleKind kind) {
+  private static int number(Kind kind) {
     return Check.notNull("kind", kind).ordinal();
   }
 
@@ -675,7 +675,7 @@ public final class World {
    *
    * <p>Only things count that a circle of category 1 and mask -1 can {@linkplain
    * SceneBuilder#filter meet}, as in {@link #cast(Circle, Vec2, double) cast}. With category -1 and
-   * mask -1 {@link #nearest(ObstacleKind, double, double, int, int) all} that can be met count.
+   * mask -1 {@link #nearest(Kind, double, double, int, int) all} that can be met count.
    *
    * <p>Distances are computed in plain doubles: to a wall, to a line, or to the rim of a peg or
    * circle. Inside of a peg or circle the distance is 0. The search uses an <a
@@ -687,14 +687,14 @@ public final class World {
    * @return its id, -1 if there is none
    * @throws IllegalArgumentException if a coordinate is NaN or infinite
    */
-  public int nearest(ObstacleKind kind, double x, double y) {
+  public int nearest(Kind kind, double x, double y) {
     return nearest(kind, x, y, 1, -1);
   }
 
   /**
    * Finds the thing of a kind that is nearest to a point. Only things count that a circle of the
    * given category and mask can {@linkplain SceneBuilder#filter meet}. Otherwise as {@link
-   * #nearest(ObstacleKind, double, double) nearest}.
+   * #nearest(Kind, double, double) nearest}.
    *
    * @param kind which kind of thing
    * @param x the x coordinate of the point, finite
@@ -704,7 +704,7 @@ public final class World {
    * @return its id, -1 if there is none
    * @throws IllegalArgumentException if a coordinate is NaN or infinite
    */
-  public int nearest(ObstacleKind kind, double x, double y, int category, int mask) {
+  public int nearest(Kind kind, double x, double y, int category, int mask) {
     Check.notNull("kind", kind);
     Check.finite("x", x);
     Check.finite("y", y);
@@ -714,8 +714,7 @@ public final class World {
   /**
    * Finds the things of a kind that overlap a disk: they have points inside of it, not only on its
    * rim. A disk of radius 0 is a point: it overlaps pegs, circles and walls that hold it inside,
-   * and no line. The same things count as in {@link #nearest(ObstacleKind, double, double)
-   * nearest}.
+   * and no line. The same things count as in {@link #nearest(Kind, double, double) nearest}.
    *
    * <p>The answer is exact, for circles at the positions that {@link #x} and {@link #y} give. The
    * search uses an <a href="doc-files/rules.html#questions">index</a>.
@@ -724,14 +723,14 @@ public final class World {
    * @param disk the disk
    * @return the ids, ascending; a new array
    */
-  public int[] overlapping(ObstacleKind kind, Circle disk) {
+  public int[] overlapping(Kind kind, Circle disk) {
     return overlapping(kind, disk, 1, -1);
   }
 
   /**
    * Finds the things of a kind that overlap a disk. Only things count that a circle of the given
    * category and mask can {@linkplain SceneBuilder#filter meet}. Otherwise as {@link
-   * #overlapping(ObstacleKind, Circle) overlapping}.
+   * #overlapping(Kind, Circle) overlapping}.
    *
    * @param kind which kind of thing
    * @param disk the disk
@@ -739,11 +738,11 @@ public final class World {
    * @param mask the categories that it can meet
    * @return the ids, ascending; a new array
    */
-  public int[] overlapping(ObstacleKind kind, Circle disk, int category, int mask) {
+  public int[] overlapping(Kind kind, Circle disk, int category, int mask) {
     return overlapping(kind, PublicRecords.region(disk), Filter.of(category, mask));
   }
 
-  private int[] overlapping(ObstacleKind kind, Region region, long filter) {
+  private int[] overlapping(Kind kind, Region region, long filter) {
     return questions.overlapping(Check.notNull("kind", kind), region, now, filter);
   }
 
@@ -755,14 +754,14 @@ public final class World {
    * @param box the box
    * @return the ids, ascending; a new array
    */
-  public int[] overlapping(ObstacleKind kind, Bounds box) {
+  public int[] overlapping(Kind kind, Bounds box) {
     return overlapping(kind, box, 1, -1);
   }
 
   /**
    * Finds the things of a kind that overlap a box. Only things count that a circle of the given
    * category and mask can {@linkplain SceneBuilder#filter meet}. Otherwise as {@link
-   * #overlapping(ObstacleKind, Bounds) overlapping}.
+   * #overlapping(Kind, Bounds) overlapping}.
    *
    * @param kind which kind of thing
    * @param box the box
@@ -770,7 +769,7 @@ public final class World {
    * @param mask the categories that it can meet
    * @return the ids, ascending; a new array
    */
-  public int[] overlapping(ObstacleKind kind, Bounds box, int category, int mask) {
+  public int[] overlapping(Kind kind, Bounds box, int category, int mask) {
     return overlapping(kind, PublicRecords.region(box), Filter.of(category, mask));
   }
 
@@ -873,21 +872,20 @@ public final class World {
    * <p>For a paddle that a player moves, set its velocity before each step to the way of this step
    * over its duration.
    *
-   * @param kind its kind: {@link ObstacleKind#LINE}, {@link ObstacleKind#PEG} or {@link
-   *     ObstacleKind#CIRCLE}
+   * @param kind its kind: {@link Kind#LINE}, {@link Kind#PEG} or {@link Kind#CIRCLE}
    * @param id its id
    * @param vx the x component, finite
    * @param vy the y component, finite
    * @throws IndexOutOfBoundsException if there is no such thing
    * @throws IllegalArgumentException if a component is NaN or infinite, or the kind is {@link
-   *     ObstacleKind#WALL}: walls do not move
+   *     Kind#WALL}: walls do not move
    */
-  public void setVelocity(ObstacleKind kind, int id, double vx, double vy) {
+  public void setVelocity(Kind kind, int id, double vx, double vy) {
     int code = code(kind, id);
-    if (kind == ObstacleKind.WALL) {
+    if (kind == Kind.WALL) {
       throw Check.refused("kind", kind, "LINE, PEG or CIRCLE: walls do not move");
     }
-    if (kind == ObstacleKind.CIRCLE) {
+    if (kind == Kind.CIRCLE) {
       setVelocity(id, vx, vy);
     } else {
       edit().setObstacleVelocity(code, vx, vy, now);
@@ -898,14 +896,14 @@ public final class World {
    * Sets the restitution of a circle or an obstacle, from now on. The restitution of an impact is
    * the product of those of the two parties.
    *
-   * @param kind its kind; for {@link ObstacleKind#WALL} it is set for all four walls
+   * @param kind its kind; for {@link Kind#WALL} it is set for all four walls
    * @param id its id
    * @param e finite and at least 0: 1 is elastic, 0 keeps no motion along the normal, above 1 is a
    *     bumper
    * @throws IndexOutOfBoundsException if there is no such thing
    * @throws IllegalArgumentException if e is NaN, infinite or negative
    */
-  public void setRestitution(ObstacleKind kind, int id, double e) {
+  public void setRestitution(Kind kind, int id, double e) {
     edit().setRestitution(code(kind, id), e, now);
   }
 
@@ -916,13 +914,13 @@ public final class World {
    * meets it does so. A sensor that a circle touches or overlaps when its flight begins is not
    * reported: see {@link Response#SENSOR}.
    *
-   * @param kind its kind; for {@link ObstacleKind#WALL} it is set for all four walls
+   * @param kind its kind; for {@link Kind#WALL} it is set for all four walls
    * @param id its id
    * @param response the response; of a circle, to other circles
    * @throws IndexOutOfBoundsException if there is no such thing
    * @throws IllegalArgumentException if the walls would become a {@link Response#SENSOR}
    */
-  public void setResponse(ObstacleKind kind, int id, Response response) {
+  public void setResponse(Kind kind, int id, Response response) {
     int code = code(kind, id);
     Check.notNull("response", response);
     edit().setResponse(code, response.ordinal(), now);
@@ -936,13 +934,13 @@ public final class World {
    * now or could before, but not both. Two things that overlap and now meet bounce if they approach
    * each other, and are otherwise left alone.
    *
-   * @param kind its kind; for {@link ObstacleKind#WALL} it is set for all four walls
+   * @param kind its kind; for {@link Kind#WALL} it is set for all four walls
    * @param id its id; that of any wall, 0..3, stands for all four
    * @param category the categories that it belongs to; 0 if it is to meet nothing
    * @param mask the categories that it can meet; 0 if it is to meet nothing
    * @throws IndexOutOfBoundsException if there is no such thing
    */
-  public void setFilter(ObstacleKind kind, int id, int category, int mask) {
+  public void setFilter(Kind kind, int id, int category, int mask) {
     edit().setFilter(code(kind, id), Filter.of(category, mask), now);
   }
 
@@ -954,7 +952,7 @@ public final class World {
    * @throws IndexOutOfBoundsException if there is no such line
    */
   public void setOneWay(int id, boolean oneWay) {
-    edit().setOneWay(code(ObstacleKind.LINE, id), oneWay, now);
+    edit().setOneWay(code(Kind.LINE, id), oneWay, now);
   }
 
   /**
@@ -991,7 +989,7 @@ public final class World {
    * @throws IllegalStateException if this world gave all ids of lines: 268,435,452
    */
   public int addLine(double ax, double ay, double bx, double by) {
-    return edit().add(Kind.LINE, ax, ay, bx, by, now);
+    return edit().add(KindNumber.LINE, ax, ay, bx, by, now);
   }
 
   /**
@@ -999,8 +997,8 @@ public final class World {
    * nothing on the way.
    *
    * <p>A circle that it then overlaps bounces if it approaches the line, and flies on otherwise. To
-   * push circles, {@linkplain #setVelocity(ObstacleKind, int, double, double) set a velocity}. A
-   * line that moves goes on from the new place.
+   * push circles, {@linkplain #setVelocity(Kind, int, double, double) set a velocity}. A line that
+   * moves goes on from the new place.
    *
    * @param id the id of the line
    * @param ax the x coordinate of the start, finite
@@ -1011,7 +1009,7 @@ public final class World {
    * @throws IllegalArgumentException if a coordinate is refused, as by {@link #addLine addLine}
    */
   public void moveLine(int id, double ax, double ay, double bx, double by) {
-    edit().move(code(ObstacleKind.LINE, id), ax, ay, bx, by, now);
+    edit().move(code(Kind.LINE, id), ax, ay, bx, by, now);
   }
 
   /**
@@ -1027,7 +1025,7 @@ public final class World {
    * @throws IllegalStateException if this world gave all ids of pegs: 268,435,456
    */
   public int addPeg(double x, double y, double radius) {
-    return edit().add(Kind.PEG, x, y, radius, 0, now);
+    return edit().add(KindNumber.PEG, x, y, radius, 0, now);
   }
 
   /**
@@ -1042,7 +1040,7 @@ public final class World {
    * @throws IllegalArgumentException if a number is refused, as by {@link #addPeg addPeg}
    */
   public void movePeg(int id, double x, double y, double radius) {
-    edit().move(code(ObstacleKind.PEG, id), x, y, radius, 0, now);
+    edit().move(code(Kind.PEG, id), x, y, radius, 0, now);
   }
 
   /**
@@ -1054,15 +1052,15 @@ public final class World {
    * @param kind its kind
    * @param id its id
    * @throws IndexOutOfBoundsException if there is no such thing
-   * @throws IllegalArgumentException if the kind is {@link ObstacleKind#WALL}
+   * @throws IllegalArgumentException if the kind is {@link Kind#WALL}
    */
-  public void remove(ObstacleKind kind, int id) {
+  public void remove(Kind kind, int id) {
     int code = code(kind, id);
-    if (kind == ObstacleKind.WALL) {
+    if (kind == Kind.WALL) {
       throw Check.refused("kind", kind, "LINE, PEG or CIRCLE: walls stay");
     }
     edit().remove(code, now);
-    if (recorder != null && kind == ObstacleKind.CIRCLE) {
+    if (recorder != null && kind == Kind.CIRCLE) {
       recorder.remove(id, now);
     }
   }
@@ -1195,7 +1193,7 @@ public final class World {
         circleCount(),
         scene.collide() ? "collide" : "ignore each other",
         obstacles.lines.present().count(),
-        obstacles.ofKind(Kind.PEG).present().count(),
+        obstacles.ofKind(KindNumber.PEG).present().count(),
         PublicRecords.describe(scene.data.obstacles.walls),
         log.size());
   }

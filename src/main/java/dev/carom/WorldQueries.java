@@ -111,14 +111,14 @@ final class WorldQueries {
   private Impact impact(MovingCircle first, Tracer tracer, double now) {
     int code = first.next;
     if (!Codes.isCircle(code)) {
-      ObstacleKind kind = ObstacleKind.of(Codes.kind(code));
+      Kind kind = Kind.of(Codes.kind(code));
       Obstacle thing = PublicRecords.of(obstacles, code, first.cleared);
       return CircleCast.impact(first, tracer.hit(first), kind, Codes.index(code), thing);
     }
     int slot = Codes.slot(code);
     Circle circle = new Circle(circleAt(slot, now, first.cleared), circles.radius(slot));
     int id = registry.id(slot);
-    return CircleCast.impact(first, queries.hit(first, now), ObstacleKind.CIRCLE, id, circle);
+    return CircleCast.impact(first, queries.hit(first, now), Kind.CIRCLE, id, circle);
   }
 
   /** Returns the centre of a circle some time from now, on its present flight. */
@@ -197,14 +197,12 @@ final class WorldQueries {
     return obstacles.traits(code);
   }
 
-  int[] ids(ObstacleKind kind) {
-    return kind == ObstacleKind.CIRCLE
-        ? registry.ids()
-        : ids(obstacles.codes(kind.ordinal()).toArray());
+  int[] ids(Kind kind) {
+    return kind == Kind.CIRCLE ? registry.ids() : ids(obstacles.codes(kind.ordinal()).toArray());
   }
 
-  int nearest(ObstacleKind kind, double x, double y, double now, long filter) {
-    if (kind != ObstacleKind.CIRCLE) {
+  int nearest(Kind kind, double x, double y, double now, long filter) {
+    if (kind != Kind.CIRCLE) {
       IntPredicate seen = obstacles.met(filter);
       int code = proximity.nearest(kind.ordinal(), kind.ordinal() + 1, x, y, seen);
       return code == Index.NONE ? -1 : Codes.index(code);
@@ -213,8 +211,8 @@ final class WorldQueries {
     return slot == Index.NONE ? -1 : registry.id(slot);
   }
 
-  int[] overlapping(ObstacleKind kind, Region region, double now, long filter) {
-    return kind == ObstacleKind.CIRCLE
+  int[] overlapping(Kind kind, Region region, double now, long filter) {
+    return kind == Kind.CIRCLE
         ? circleIds(queries.overlapping(region, now, slots(filter)))
         : ids(
             proximity.overlapping(

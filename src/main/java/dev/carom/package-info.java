@@ -33,7 +33,7 @@
  *   <li>Detector: {@link dev.carom.SweptCircle} tells when a moving circle hits an obstacle or
  *       another circle. One form of each question takes and returns doubles, {@code +infinity} for
  *       never. The other takes records and returns an {@link dev.carom.Impact}, with the {@link
- *       dev.carom.ObstacleKind} and the {@link dev.carom.Feature} that was hit. {@link
+ *       dev.carom.Kind} and the {@link dev.carom.Feature} that was hit. {@link
  *       dev.carom.SweptSphere} answers for two spheres in space.
  *   <li>Resolver: {@link dev.carom.Resolver} follows one circle through given obstacles for a given
  *       time, all bounces included, and returns its {@link dev.carom.Trajectory}. It also computes
@@ -148,9 +148,9 @@
  *   <li>Between impacts circles move straight on, or under one constant {@linkplain
  *       dev.carom.SceneBuilder#gravity gravity} on parabolas. There is no rotation, friction or
  *       polygon. Heaps come to rest. Steering is a velocity that the caller sets between steps.
- *   <li>Lines and pegs rest, or move with a {@linkplain dev.carom.World#setVelocity(ObstacleKind,
- *       int, double, double) constant velocity} and push circles. They do not turn, and nothing
- *       deflects them.
+ *   <li>Lines and pegs rest, or move with a {@linkplain dev.carom.World#setVelocity(Kind, int,
+ *       double, double) constant velocity} and push circles. They do not turn, and nothing deflects
+ *       them.
  *   <li>Without gravity, nothing comes to rest by a threshold. With it, bounces end by <a
  *       href="doc-files/rules.html#gravity">relative lengths</a>. A circle in a narrow place makes
  *       all of its bounces, up to about 1,000 elastic ones at one place. Then the world <a

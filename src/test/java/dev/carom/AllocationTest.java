@@ -140,8 +140,8 @@ class AllocationTest {
   private static Edits setVelocities() {
     return (world, frame) -> {
       for (int id = 0; id < 2; id++) {
-        world.setVelocity(ObstacleKind.PEG, id, toAndFro(frame, 0.1), toAndFro(frame + 5, 0.07));
-        world.setVelocity(ObstacleKind.LINE, id, toAndFro(frame, 0.1), toAndFro(frame + 5, 0.07));
+        world.setVelocity(Kind.PEG, id, toAndFro(frame, 0.1), toAndFro(frame + 5, 0.07));
+        world.setVelocity(Kind.LINE, id, toAndFro(frame, 0.1), toAndFro(frame + 5, 0.07));
       }
     };
   }
@@ -303,7 +303,7 @@ class AllocationTest {
     impacts += log.size();
     for (int row = 0; row < log.size(); row++) {
       sum += log.time(row) + log.x(row) + log.nx(row) + log.approachSpeed(row);
-      sum += log.kind(row) == ObstacleKind.WALL ? 1 : log.feature(row) == Feature.END ? 2 : 3;
+      sum += log.kind(row) == Kind.WALL ? 1 : log.feature(row) == Feature.END ? 2 : 3;
     }
     for (int i = 0; i < world.circleCount(); i++) {
       sum += world.x(i) + world.y(i) + world.vx(i) + world.vy(i);

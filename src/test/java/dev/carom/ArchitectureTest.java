@@ -38,8 +38,7 @@ class ArchitectureTest {
 
   private static final String GEOMETRY = "Vec2 Obstacle Circle Line Endpoint Bounds PublicRecords";
 
-  private static final String DETECTOR =
-      " SweptCircle SweptSphere CircleCast Impact ObstacleKind Feature";
+  private static final String DETECTOR = " SweptCircle SweptSphere CircleCast Impact Kind Feature";
 
   private static final String RESOLVER = " Resolver Casts Trajectory Flight";
 

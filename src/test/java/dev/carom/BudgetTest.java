@@ -235,7 +235,7 @@ class BudgetTest {
     }
     World world = new World(scene.build(), EngineOptions.budget(1.0 / 200));
     assertThat(world.unfinishedCircle()).isEqualTo(-1);
-    world.remove(ObstacleKind.CIRCLE, 1);
+    world.remove(Kind.CIRCLE, 1);
     assertThat(world.advanceTo(1)).isFalse();
     assertThat(world.unfinishedCircle()).isEqualTo(3);
     assertThat(world.advanceTo(world.now())).isTrue();

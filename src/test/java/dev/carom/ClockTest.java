@@ -82,7 +82,7 @@ class ClockTest {
     World early = early();
     Run lateRun = Run.step(late, 1, FRAMES);
     Run earlyRun = Run.step(early, 1, FRAMES);
-    assertThat(earlyRun.impacts().stream().filter(row -> row.kind() != ObstacleKind.WALL).count())
+    assertThat(earlyRun.impacts().stream().filter(row -> row.kind() != Kind.WALL).count())
         .isGreaterThan(80);
     List<Run.Row> shifted = lateRun.map(row -> row.at(0));
     assertThat(shifted).isEqualTo(earlyRun.map(row -> row.at(0)));

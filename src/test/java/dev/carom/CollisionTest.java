@@ -25,8 +25,7 @@ class CollisionTest {
     Run run = run(colliding().circle(0, 0, 1, 2, 0).circle(12, 0, 3, -2, 0));
     assertThat(run.impacts())
         .containsExactly(
-            new Run.Row(
-                2, 0, ObstacleKind.CIRCLE, 1, Feature.CIRCLE, 5, 0, -1, 0, 4, Outcome.BOUNCED));
+            new Run.Row(2, 0, Kind.CIRCLE, 1, Feature.CIRCLE, 5, 0, -1, 0, 4, Outcome.BOUNCED));
     assertThat(run.end().get(0).vx()).isEqualTo(-2);
     assertThat(run.end().get(1).vx()).isEqualTo(2);
     assertThat(run.end().get(0).x()).isEqualTo(4 - 2 * 98);

@@ -153,7 +153,7 @@ class ContactCasesTest {
     }
     ContactRun run = new ContactRun(new World(scene.build())).withMovers();
     for (int k = 0; k < 100; k++) {
-      run.world.setVelocity(ObstacleKind.LINE, 0, 0, k % 2 == 0 ? 0.25 : -0.25);
+      run.world.setVelocity(Kind.LINE, 0, 0, k % 2 == 0 ? 0.25 : -0.25);
       run.play(0.1 * (k + 1), 1 / 60.0);
     }
     assertThat(run.faults()).isEmpty();

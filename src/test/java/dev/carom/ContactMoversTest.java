@@ -60,7 +60,7 @@ class ContactMoversTest {
     pile(scene, 0, 150, 140, balls, e);
     ContactRun run = run(scene);
     for (int k = 0; k < seconds; k++) {
-      run.world.setVelocity(ObstacleKind.LINE, 0, 0, speed.applyAsDouble(k));
+      run.world.setVelocity(Kind.LINE, 0, 0, speed.applyAsDouble(k));
       run.play(60 * (k + 1));
       assertPushed(run);
     }
@@ -96,7 +96,7 @@ class ContactMoversTest {
     };
     for (int k = 0; k < moves.length; k++) {
       for (int line = 0; line < 4; line++) {
-        run.world.setVelocity(ObstacleKind.LINE, line, moves[k][0], moves[k][1]);
+        run.world.setVelocity(Kind.LINE, line, moves[k][0], moves[k][1]);
       }
       run.play(100 * (k + 1));
       assertPushed(run);
@@ -115,7 +115,7 @@ class ContactMoversTest {
     double full = balls * Math.PI * 100 / (0.65 * h); // where 65 % of the room is filled
     double way = (w - 1 - full) / speed;
     for (double v : new double[] {-speed, 0, speed}) {
-      run.world.setVelocity(ObstacleKind.LINE, 0, v, 0);
+      run.world.setVelocity(Kind.LINE, 0, v, 0);
       run.play(run.world.now() + (v == 0 ? 100 : way));
       assertPushed(run);
       for (int i = 0; i < balls; i++) {
@@ -159,7 +159,7 @@ class ContactMoversTest {
     ContactRun run = run(scene).play(20);
     double way = w - 1 - 16 * balls - 8;
     for (double v : new double[] {-0.5, 0, 0.5}) {
-      run.world.setVelocity(ObstacleKind.LINE, 0, v, 0);
+      run.world.setVelocity(Kind.LINE, 0, v, 0);
       run.play(run.world.now() + (v == 0 ? 100 : 2 * way));
       assertPushed(run);
     }
@@ -184,7 +184,7 @@ class ContactMoversTest {
     ContactRun run = run(scene).play(100);
     for (double v : new double[] {0.5, 0, -0.5, 0}) {
       for (int line = 1; line < 5; line++) {
-        run.world.setVelocity(ObstacleKind.LINE, line, line < 3 ? v : -v, 0);
+        run.world.setVelocity(Kind.LINE, line, line < 3 ? v : -v, 0);
       }
       run.play(run.world.now() + 158);
       assertPushed(run);
@@ -210,7 +210,7 @@ class ContactMoversTest {
     assertThat(run.faults()).isEmpty();
     assertThat(run.jammed).containsExactly(0);
     assertThat(run.world.isResting(0)).isTrue();
-    run.world.remove(ObstacleKind.LINE, 3);
+    run.world.remove(Kind.LINE, 3);
     close(run, 0, 20);
     assertThat(run.world.y(0)).as("held by the jaws").isEqualTo(height);
     close(run, -0.5, 200);
@@ -220,8 +220,8 @@ class ContactMoversTest {
   }
 
   private static void close(ContactRun run, double speed, double time) {
-    run.world.setVelocity(ObstacleKind.LINE, 1, speed, 0);
-    run.world.setVelocity(ObstacleKind.LINE, 2, -speed, 0);
+    run.world.setVelocity(Kind.LINE, 1, speed, 0);
+    run.world.setVelocity(Kind.LINE, 2, -speed, 0);
     run.play(run.world.now() + time);
   }
 
@@ -251,8 +251,7 @@ class ContactMoversTest {
     for (int k = 0; k < 20; k++) {
       for (int line = 0; line < 9; line++) {
         int sign = k % 2 == 0 ? 1 : -1;
-        run.world.setVelocity(
-            ObstacleKind.LINE, line, sign * speeds[line][0], sign * speeds[line][1]);
+        run.world.setVelocity(Kind.LINE, line, sign * speeds[line][0], sign * speeds[line][1]);
       }
       run.play(30 * (k + 1));
     }

@@ -65,7 +65,7 @@ class ContactRestTest {
     World world = run.world;
     double[] before = run.state();
     int id = world.addCircle(120, 600, 10, 0, -3);
-    world.setRestitution(ObstacleKind.CIRCLE, id, e);
+    world.setRestitution(Kind.CIRCLE, id, e);
     int moved = 0;
     for (int k = 0; k < 600; k++) {
       assertThat(world.step(1)).isTrue();
@@ -97,7 +97,7 @@ class ContactRestTest {
     }
     ContactRun run = new ContactRun(new World(scene.build())).withMovers().play(600);
     for (int line = 0; line < 3; line++) {
-      run.world.setVelocity(ObstacleKind.LINE, line, vx, vy);
+      run.world.setVelocity(Kind.LINE, line, vx, vy);
     }
     while (run.world.now() < 4_000 && run.resting() < 20) {
       run.play(run.world.now() + 1);
@@ -156,17 +156,17 @@ class ContactRestTest {
       lowest = world.y(i) < world.y(lowest) ? i : lowest;
     }
     double before = new ContactRun(world).energy();
-    world.remove(ObstacleKind.CIRCLE, lowest);
+    world.remove(Kind.CIRCLE, lowest);
     int woken = 0;
     for (int k = 0; k < 600; k++) {
       assertThat(world.step(1)).isTrue();
-      for (int i : world.ids(ObstacleKind.CIRCLE)) {
+      for (int i : world.ids(Kind.CIRCLE)) {
         woken += world.isResting(i) ? 0 : 1;
       }
     }
     assertThat(woken).as("frames and circles").isBetween(30, 12_000);
     double after = 0;
-    for (int i : world.ids(ObstacleKind.CIRCLE)) {
+    for (int i : world.ids(Kind.CIRCLE)) {
       after += 0.05 * world.y(i);
     }
     assertThat(after).as("they came down").isLessThan(before - 0.05 * 20);

@@ -256,15 +256,15 @@ public final class ContactRun {
   private void findObstacles() {
     lines.clear();
     pegs.clear();
-    for (int id : world.ids(ObstacleKind.LINE)) {
+    for (int id : world.ids(Kind.LINE)) {
       if (!world.oneWay(id) || fromAbove) {
         lines.put(id, world.line(id));
       }
-      if (!world.velocity(ObstacleKind.LINE, id).equals(Vec2.ZERO)) {
+      if (!world.velocity(Kind.LINE, id).equals(Vec2.ZERO)) {
         movers.add(id);
       }
     }
-    for (int id : world.ids(ObstacleKind.PEG)) {
+    for (int id : world.ids(Kind.PEG)) {
       pegs.put(id, world.peg(id));
     }
   }

@@ -189,7 +189,7 @@ final class EditSession {
   // Edits.
 
   /** The id of a thing of a kind that is there, or -1. */
-  private int some(ObstacleKind kind) {
+  private int some(Kind kind) {
     int end = world().idLimit(kind);
     for (int tries = 0; end > 0 && tries < 20; tries++) {
       int id = random.nextInt(end);
@@ -200,12 +200,12 @@ final class EditSession {
     return -1;
   }
 
-  private ObstacleKind kind() {
-    return ObstacleKind.values()[random.nextInt(4)];
+  private Kind kind() {
+    return Kind.values()[random.nextInt(4)];
   }
 
   private void setMotion() {
-    int id = some(ObstacleKind.CIRCLE);
+    int id = some(Kind.CIRCLE);
     if (id >= 0 && random.nextBoolean()) {
       setVelocity(id);
     } else if (id >= 0) {
@@ -223,7 +223,7 @@ final class EditSession {
 
   /** Often to whole velocities, those of circles, or to rest. */
   private void setObstacleInMotion() {
-    ObstacleKind kind = motion.nextBoolean() ? ObstacleKind.LINE : ObstacleKind.PEG;
+    Kind kind = motion.nextBoolean() ? Kind.LINE : Kind.PEG;
     int id = some(kind);
     if (id >= 0) {
       double vx = motion.nextInt(5) == 0 ? 0 : numbers.speed();
@@ -239,14 +239,14 @@ final class EditSession {
   }
 
   private void setProperties() {
-    int id = some(ObstacleKind.CIRCLE);
+    int id = some(Kind.CIRCLE);
     if (id >= 0) {
       double radius = numbers.radius();
       worlds.edit(w -> w.setRadius(id, radius), p -> p.setRadius(id, radius));
       double mass = numbers.mass();
       worlds.edit(w -> w.setMass(id, mass), p -> p.setMass(id, mass));
     }
-    ObstacleKind kind = kind();
+    Kind kind = kind();
     int thing = some(kind);
     if (thing >= 0) {
       double e = numbers.restitution();
@@ -279,8 +279,8 @@ final class EditSession {
   }
 
   private void moveObstacle() {
-    int line = some(ObstacleKind.LINE);
-    int peg = some(ObstacleKind.PEG);
+    int line = some(Kind.LINE);
+    int peg = some(Kind.PEG);
     double x = numbers.x();
     double y = numbers.y();
     if (line >= 0 && random.nextBoolean()) {
@@ -294,30 +294,30 @@ final class EditSession {
   }
 
   private void remove() {
-    ObstacleKind kind = ObstacleKind.values()[1 + random.nextInt(3)];
+    Kind kind = Kind.values()[1 + random.nextInt(3)];
     int id = some(kind);
-    if (id >= 0 && (kind != ObstacleKind.CIRCLE || world().circleCount() > 2)) {
+    if (id >= 0 && (kind != Kind.CIRCLE || world().circleCount() > 2)) {
       worlds.edit(w -> w.remove(kind, id), p -> p.remove(kind, id));
       assertThat(world().contains(kind, id)).isFalse();
     }
   }
 
   private void setTraits() {
-    ObstacleKind kind = kind();
+    Kind kind = kind();
     int id = some(kind);
-    int most = sensors && kind != ObstacleKind.WALL ? 3 : 2;
+    int most = sensors && kind != Kind.WALL ? 3 : 2;
     Response response = Response.values()[random.nextInt(4) == 0 ? random.nextInt(most) : 0];
     if (id >= 0) {
       worlds.edit(w -> w.setResponse(kind, id, response), p -> p.setResponse(kind, id, response));
     }
-    if (id >= 0 && kind == ObstacleKind.LINE) {
+    if (id >= 0 && kind == Kind.LINE) {
       boolean oneWay = random.nextInt(3) == 0;
       worlds.edit(w -> w.setOneWay(id, oneWay), p -> p.setOneWay(id, oneWay));
     }
   }
 
   private void setFilter() {
-    ObstacleKind kind = ObstacleKind.values()[masks.nextInt(4)];
+    Kind kind = Kind.values()[masks.nextInt(4)];
     int[] ids = world().ids(kind);
     if (ids.length > 0) {
       int id = ids[masks.nextInt(ids.length)];

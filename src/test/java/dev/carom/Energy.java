@@ -9,7 +9,7 @@ public final class Energy {
   /** The sum over all circles that are there now. */
   public static double of(World world) {
     double energy = 0;
-    for (int id : world.ids(ObstacleKind.CIRCLE)) {
+    for (int id : world.ids(Kind.CIRCLE)) {
       double vx = world.vx(id);
       double vy = world.vy(id);
       energy += world.mass(id) * (vx * vx + vy * vy) / 2;

@@ -31,7 +31,7 @@ class FallTest {
     World world = new World(Scene.builder().circle(0, 0, 1, 0, 0).gravity(0, -1e300).build());
     assertThat(world.step(1e10)).isTrue();
     assertThat(world.vy(0)).isEqualTo(-Double.MAX_VALUE);
-    assertThat(world.velocity(ObstacleKind.CIRCLE, 0)).isEqualTo(new Vec2(0, -Double.MAX_VALUE));
+    assertThat(world.velocity(Kind.CIRCLE, 0)).isEqualTo(new Vec2(0, -Double.MAX_VALUE));
     world.setRadius(0, 2);
     assertThat(world.y(0)).isEqualTo(Double.NEGATIVE_INFINITY);
     ByteArrayOutputStream out = new ByteArrayOutputStream();
@@ -161,7 +161,7 @@ class FallTest {
       world.advanceTo(Math.min(duration, world.now() + 1));
       ImpactLog log = world.impacts();
       for (int row = 0; row < log.size(); row++) {
-        if (log.kind(row) == ObstacleKind.WALL) {
+        if (log.kind(row) == Kind.WALL) {
           pushed += 2 * log.approachSpeed(row) * log.ny(row);
         }
       }

@@ -127,7 +127,7 @@ class FirstImpactTest {
       for (Truth first : scene.inOrder(seed % 2 == 0)) {
         Impact impact = world.cast(scene.circle, scene.v, NEVER).orElseThrow();
         assertThat(impact).as("seed %s, %s", seed, options).isEqualTo(impact(scene, first, NEVER));
-        if (first.kind() == ObstacleKind.WALL) {
+        if (first.kind() == Kind.WALL) {
           break;
         }
         passOver(world, first, scene, seed % 3);
@@ -140,9 +140,7 @@ class FirstImpactTest {
   private static void passOver(World world, Truth first, NearlyAtOnce scene, int how) {
     if (how == 0) {
       world.remove(first.kind(), first.id());
-    } else if (how == 2
-        && first.kind() == ObstacleKind.LINE
-        && scene.comesFromTheRight(first.id())) {
+    } else if (how == 2 && first.kind() == Kind.LINE && scene.comesFromTheRight(first.id())) {
       world.setOneWay(first.id(), true);
     } else {
       world.setResponse(first.kind(), first.id(), Response.SENSOR);

@@ -89,7 +89,7 @@ class GasTest {
         assertThat(world.step(dt)).isTrue();
         ImpactLog log = world.impacts();
         for (int row = 0; row < log.size(); row++) {
-          if (log.kind(row) == ObstacleKind.WALL) {
+          if (log.kind(row) == Kind.WALL) {
             push += 2 * log.approachSpeed(row);
           } else if (isInside(log.x(row), log.y(row), length)) {
             hits += 2;

@@ -33,7 +33,7 @@ class GravityEditsTest {
   @Test
   void aPegOfVelocity0CarriesABall() {
     World world = onAPeg();
-    world.setVelocity(ObstacleKind.PEG, 0, 0, 0);
+    world.setVelocity(Kind.PEG, 0, 0, 0);
     assertThat(world.advanceTo(20)).isTrue();
     assertThat(world.isResting(0)).isTrue();
   }
@@ -46,10 +46,10 @@ class GravityEditsTest {
     scene.circle(2.6, 7, 1, 0, 0).restitution(0.5);
     World world = new World(scene.build());
     assertThat(world.advanceTo(2)).isTrue();
-    world.setVelocity(ObstacleKind.LINE, 2, 0, 0);
+    world.setVelocity(Kind.LINE, 2, 0, 0);
     assertThat(world.advanceTo(60)).isTrue();
     assertThat(IntStream.range(0, 3)).allMatch(world::isResting);
-    world.setVelocity(ObstacleKind.LINE, 2, 0, 0.5);
+    world.setVelocity(Kind.LINE, 2, 0, 0.5);
     assertThat(IntStream.range(0, 3)).noneMatch(world::isResting);
   }
 
@@ -65,7 +65,7 @@ class GravityEditsTest {
     assertThat(world.advanceTo(20)).isTrue();
     assertThat(world.impacts().size()).isZero();
     assertThat(world.y(0)).isCloseTo(y + 6, within(1e-9));
-    world.setVelocity(ObstacleKind.LINE, 1, 0, 0);
+    world.setVelocity(Kind.LINE, 1, 0, 0);
     assertThat(world.advanceTo(30)).isTrue();
     assertThat(world.isResting(0)).isTrue();
     assertThat(world.y(0)).isCloseTo(y + 6, within(1e-9));
@@ -82,7 +82,7 @@ class GravityEditsTest {
     World world = new World(scene.circle(10, 1, 1, 0, 0).restitution(0).build());
     rows(world, 5);
     assertThat(world.y(0)).isEqualTo(1);
-    world.remove(ObstacleKind.LINE, 0);
+    world.remove(Kind.LINE, 0);
     rows(world, 6);
     assertThat(world.y(0)).isEqualTo(-4);
   }
@@ -115,7 +115,7 @@ class GravityEditsTest {
     World world = new World(setup.build());
     rows(world, 2.5);
     double apart = world.y(1) - world.y(0);
-    world.remove(ObstacleKind.LINE, 0);
+    world.remove(Kind.LINE, 0);
     assertThat(rows(world, 10)).isZero();
     assertThat(world.y(0)).isLessThan(-250);
     assertThat(world.y(1) - world.y(0)).isCloseTo(apart, within(0x1p-6));
@@ -143,7 +143,7 @@ class GravityEditsTest {
     SceneBuilder scene = Scene.builder().gravity(0, -10).line(0, 10, 1000, 10);
     World world = new World(scene.circle(40, 12, 2, 4, 0).restitution(e).build());
     for (int frame = 1; frame <= EDITS; frame++) {
-      world.setVelocity(ObstacleKind.LINE, 0, Math.sin(frame), 0);
+      world.setVelocity(Kind.LINE, 0, Math.sin(frame), 0);
       assertThat(world.advanceTo(frame / 60.0)).isTrue();
     }
     assertThat(world.x(0)).isCloseTo(40 + 4 * EDITS / 60.0, within(1e-10));
@@ -157,7 +157,7 @@ class GravityEditsTest {
     SceneBuilder scene = Scene.builder().gravity(0, -10).line(0, 10, 1000, 10);
     World world = new World(scene.circle(40, 12, 2, 0, 3).restitution(e).build());
     for (int frame = 1; frame <= EDITS; frame++) {
-      world.setVelocity(ObstacleKind.LINE, 0, 0, 3);
+      world.setVelocity(Kind.LINE, 0, 0, 3);
       assertThat(world.advanceTo(frame / 60.0)).isTrue();
     }
     assertThat(world.y(0)).isCloseTo(12 + 3 * EDITS / 60.0, within(1e-10));
@@ -173,7 +173,7 @@ class GravityEditsTest {
     World world = new World(scene.circle(0, 1, 1, 0, 0).restitution(0).build());
     world.step(1);
     assertThat(world.isResting(0)).isTrue();
-    world.setVelocity(ObstacleKind.LINE, 0, 100, 0);
+    world.setVelocity(Kind.LINE, 0, 100, 0);
     world.setGravity(0, 0);
     world.setVelocity(0, 0, 0);
     world.step(10);

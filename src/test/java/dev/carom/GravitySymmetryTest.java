@@ -108,18 +108,18 @@ class GravitySymmetryTest {
     for (int i = 0; i < scene.lineCount(); i++) {
       Line l = scene.line(i);
       builder.line(mx * l.ax() + dx, my * l.ay() + dy, mx * l.bx() + dx, my * l.by() + dy);
-      builder.restitution(scene.restitution(ObstacleKind.LINE, i));
+      builder.restitution(scene.restitution(Kind.LINE, i));
     }
     for (int i = 0; i < scene.pegCount(); i++) {
       Circle c = scene.peg(i);
       builder.peg(mx * c.x() + dx, my * c.y() + dy, size * c.radius());
-      builder.restitution(scene.restitution(ObstacleKind.PEG, i));
+      builder.restitution(scene.restitution(Kind.PEG, i));
     }
     for (int i = 0; i < scene.circleCount(); i++) {
       Circle c = scene.circle(i);
       Vec2 v = scene.velocity(i);
       builder.circle(mx * c.x() + dx, my * c.y() + dy, size * c.radius(), mx * v.x(), my * v.y());
-      builder.restitution(scene.restitution(ObstacleKind.CIRCLE, i));
+      builder.restitution(scene.restitution(Kind.CIRCLE, i));
     }
     return builder.build();
   }

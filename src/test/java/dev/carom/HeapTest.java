@@ -34,8 +34,8 @@ class HeapTest {
   }
 
   private static int[] resting(World world) {
-    return IntStream.range(0, world.idLimit(ObstacleKind.CIRCLE))
-        .filter(i -> world.contains(ObstacleKind.CIRCLE, i) && world.isResting(i))
+    return IntStream.range(0, world.idLimit(Kind.CIRCLE))
+        .filter(i -> world.contains(Kind.CIRCLE, i) && world.isResting(i))
         .toArray();
   }
 
@@ -48,7 +48,7 @@ class HeapTest {
     while (world.now() < 20) {
       assertThat(world.step(0.25)).isTrue();
       for (int row = 0; row < world.impacts().size(); row++) {
-        boolean isOf2 = world.impacts().kind(row) == ObstacleKind.CIRCLE;
+        boolean isOf2 = world.impacts().kind(row) == Kind.CIRCLE;
         boolean rests = world.impacts().outcome(row) == Outcome.SETTLED;
         settled += isOf2 && rests ? 1 : 0;
       }
@@ -97,7 +97,7 @@ class HeapTest {
   void aSlowBallLandsOnAHeapThatRests() {
     World world = threeAtRest();
     int id = world.addCircle(world.x(2), world.y(2) + 2 + 1e-5, 1, 0, 0);
-    world.setRestitution(ObstacleKind.CIRCLE, id, 0.5);
+    world.setRestitution(Kind.CIRCLE, id, 0.5);
     world.advanceTo(world.now() + 0.01);
     assertThat(world.impacts().size()).isPositive();
     assertThat(resting(world)).containsExactly(0, 1, 2);
@@ -108,7 +108,7 @@ class HeapTest {
     World world = threeAtRest();
     world.addCircle(world.x(2), world.y(2) + 3, 1, 0, -1);
     assertThat(world.advanceToImpact(20)).isEqualTo(StopReason.IMPACT);
-    assertThat(world.impacts().kind(0)).isEqualTo(ObstacleKind.CIRCLE);
+    assertThat(world.impacts().kind(0)).isEqualTo(Kind.CIRCLE);
     world.step(0.1); // it wakes at the next tick
     assertThat(resting(world)).doesNotContain(2);
   }
@@ -116,7 +116,7 @@ class HeapTest {
   @Test
   void aRemovedCircleFreesThoseOnIt() {
     World world = threeAtRest();
-    world.remove(ObstacleKind.CIRCLE, 0);
+    world.remove(Kind.CIRCLE, 0);
     assertThat(resting(world)).as("who touched it").doesNotContain(2);
     rows(world, 20);
     assertThat(world.y(2)).isBetween(1.0, 1 + 0x1p-7);
@@ -133,7 +133,7 @@ class HeapTest {
   @Test
   void aCircleThatBecomesASensorFreesThoseOnIt() {
     World world = threeAtRest();
-    world.setResponse(ObstacleKind.CIRCLE, 0, Response.SENSOR);
+    world.setResponse(Kind.CIRCLE, 0, Response.SENSOR);
     assertThat(resting(world)).as("who touched it").doesNotContain(2);
     rows(world, 20);
     assertThat(world.y(2)).isBetween(1.0, 1 + 0x1p-7);

@@ -28,13 +28,13 @@ class ImpactRowsTest {
     rows.addPair(1, 2, 3);
     ImpactLog log = new ImpactLog(rows);
     assertThat(List.of(log.kind(0), log.feature(0), log.outcome(0)))
-        .containsExactly(ObstacleKind.CIRCLE, Feature.CIRCLE, Outcome.BOUNCED);
+        .containsExactly(Kind.CIRCLE, Feature.CIRCLE, Outcome.BOUNCED);
   }
 
   @Test
   void aCircleSettlesOnASide() {
     ImpactRows rows = new ImpactRows(1);
-    rows.add(2.5, 4, ObstacleKind.LINE.ordinal(), 3, Feature.SIDE.ordinal());
+    rows.add(2.5, 4, Kind.LINE.ordinal(), 3, Feature.SIDE.ordinal());
     rows.set(10, 20, 0, 2, -1e-9);
     rows.setOutcome(ImpactRows.SETTLED);
     ImpactLog log = new ImpactLog(rows);

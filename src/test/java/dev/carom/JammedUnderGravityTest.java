@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 package dev.carom;
 
-import static dev.carom.ObstacleKind.CIRCLE;
-import static dev.carom.ObstacleKind.LINE;
+import static dev.carom.Kind.CIRCLE;
+import static dev.carom.Kind.LINE;
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.within;
 

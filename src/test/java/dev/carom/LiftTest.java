@@ -56,10 +56,10 @@ class LiftTest {
     SceneBuilder scene = Scene.builder().gravity(0, -10).collide(true).line(0, 0, 4, 0);
     World world = new World(stack(scene.bounds(1.5, -10, 2.5, 100), balls, e).build());
     play(world, 1);
-    world.setVelocity(ObstacleKind.LINE, 0, 0, speed);
+    world.setVelocity(Kind.LINE, 0, 0, speed);
     play(world, 4);
     assertStacked(world, balls, 3 * speed);
-    world.setVelocity(ObstacleKind.LINE, 0, 0, 0);
+    world.setVelocity(Kind.LINE, 0, 0, 0);
     play(world, 6);
     assertStacked(world, balls, 3 * speed);
   }
@@ -98,7 +98,7 @@ class LiftTest {
     }
     World world = new World(scene.build());
     assertThat(world.advanceTo(1.3799787973590059)).isTrue();
-    world.setVelocity(ObstacleKind.LINE, 0, 0, 0);
+    world.setVelocity(Kind.LINE, 0, 0, 0);
     for (int frame = 0; frame < 60; frame++) {
       assertThat(world.step(1.0 / 60)).isTrue();
       for (int i = 1; i < 3; i++) {
@@ -127,7 +127,7 @@ class LiftTest {
     Set<Integer> hit = new HashSet<>();
     for (int row = 0; row < log.size(); row++) {
       hit.add(log.circle(row));
-      if (log.kind(row) == ObstacleKind.CIRCLE) {
+      if (log.kind(row) == Kind.CIRCLE) {
         hit.add(log.id(row));
       }
     }

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 package dev.carom;
 
-import static dev.carom.ObstacleKind.CIRCLE;
-import static dev.carom.ObstacleKind.LINE;
-import static dev.carom.ObstacleKind.PEG;
+import static dev.carom.Kind.CIRCLE;
+import static dev.carom.Kind.LINE;
+import static dev.carom.Kind.PEG;
 import static org.assertj.core.api.Assertions.assertThat;
 
 import dev.carom.internal.state.EngineOptions;

@@ -63,14 +63,14 @@ class MasksTest {
         double bx = x + 20 * random.nextDouble() - 10;
         double by = y + 20 * random.nextDouble() - 10;
         boolean oneWay = random.nextInt(5) == 0;
-        add(wanted, ObstacleKind.LINE, i, BOTH, b -> line(b, x, y, bx, by, oneWay), builder);
+        add(wanted, Kind.LINE, i, BOTH, b -> line(b, x, y, bx, by, oneWay), builder);
       }
       int pegs = random.nextInt(10);
       for (int i = 0; i < pegs; i++) {
         double x = 100 * random.nextDouble();
         double y = 80 * random.nextDouble();
         double r = 3 * random.nextDouble();
-        add(wanted, ObstacleKind.PEG, i, BOTH, b -> b.peg(x, y, r), builder);
+        add(wanted, Kind.PEG, i, BOTH, b -> b.peg(x, y, r), builder);
       }
       int circles = 4 + random.nextInt(40);
       for (int i = 0; i < circles; i++) {
@@ -82,13 +82,7 @@ class MasksTest {
         double mass = random.nextInt(10) == 0 ? NEVER : 1 + random.nextInt(3);
         int layer = random.nextBoolean() ? A : B;
         layerOf.add(layer);
-        add(
-            wanted,
-            ObstacleKind.CIRCLE,
-            i,
-            layer,
-            b -> b.circle(x, y, r, vx, vy).mass(mass),
-            builder);
+        add(wanted, Kind.CIRCLE, i, layer, b -> b.circle(x, y, r, vx, vy).mass(mass), builder);
       }
       return builder.build();
     }
@@ -103,7 +97,7 @@ class MasksTest {
 
     private void add(
         int wanted,
-        ObstacleKind kind,
+        Kind kind,
         int id,
         int layers,
         Consumer<SceneBuilder> thing,
@@ -126,10 +120,10 @@ class MasksTest {
     /** A row of a layer, with the ids of the whole. */
     Run.Row inWhole(Run.Row row) {
       int obstacle =
-          row.kind() == ObstacleKind.WALL
+          row.kind() == Kind.WALL
               ? row.obstacle()
               : ids.get(row.kind().ordinal()).get(row.obstacle());
-      int circle = ids.get(ObstacleKind.CIRCLE.ordinal()).get(row.circle());
+      int circle = ids.get(Kind.CIRCLE.ordinal()).get(row.circle());
       return row.renamed(circle, obstacle);
     }
   }
@@ -208,7 +202,7 @@ class MasksTest {
     assertThat(world.step(1)).isTrue();
     assertThat(Run.rows(world.impacts()))
         .extracting(Run.Row::time, Run.Row::circle, Run.Row::kind)
-        .containsExactly(tuple(7.5, 0, ObstacleKind.LINE));
+        .containsExactly(tuple(7.5, 0, Kind.LINE));
     assertThat(world.step(20)).isTrue();
     assertThat(world.x(0)).isEqualTo(110 - 8 * 20.5);
     assertThat(past.x(0, 7)).isEqualTo(106);
@@ -224,13 +218,13 @@ class MasksTest {
     World world = new World(new Layers(3, true).scene(BOTH));
     assertThat(world.step(5)).isTrue();
     Snapshot before = world.snapshot();
-    for (ObstacleKind kind : ObstacleKind.values()) {
+    for (Kind kind : Kind.values()) {
       for (int id : world.ids(kind)) {
         world.setFilter(kind, id, world.category(kind, id), world.mask(kind, id));
       }
     }
     assertThat(world.snapshot()).isEqualTo(before);
-    world.setFilter(ObstacleKind.WALL, 0, 1, 1);
+    world.setFilter(Kind.WALL, 0, 1, 1);
     assertThat(world.snapshot()).isNotEqualTo(before);
   }
 
@@ -271,18 +265,17 @@ class MasksTest {
     World world = asked();
     Circle circle = new Circle(10, 50, 5);
     Vec2 right = new Vec2(1, 0);
-    assertThat(world.trace(circle, right, 1, 100, 1).impacts().get(0).kind())
-        .isEqualTo(ObstacleKind.LINE);
+    assertThat(world.trace(circle, right, 1, 100, 1).impacts().get(0).kind()).isEqualTo(Kind.LINE);
     assertThat(world.trace(circle, right, 1, 100, 1, 1, ~A).impacts().get(0).kind())
-        .isEqualTo(ObstacleKind.PEG);
+        .isEqualTo(Kind.PEG);
     assertThat(world.trace(circle, right, 1, 100, 1, A, ~BOTH & ~1).impacts()).isEmpty();
     assertThat(world.scene().resolver().trace(circle, right, 100).impacts().get(0).kind())
-        .isEqualTo(ObstacleKind.LINE);
+        .isEqualTo(Kind.LINE);
   }
 
   @Test
   void nearestAndOverlappingWithoutAFilterSeeWhatACastSees() {
-    for (ObstacleKind kind : ObstacleKind.values()) {
+    for (Kind kind : Kind.values()) {
       World world = hidden(kind);
       Circle disk = new Circle(50, 50, 60);
       Bounds box = new Bounds(-5, -5, 105, 105);
@@ -301,7 +294,7 @@ class MasksTest {
   }
 
   /** A world of one thing, which a circle of category 1 cannot meet. */
-  private static World hidden(ObstacleKind kind) {
+  private static World hidden(Kind kind) {
     SceneBuilder scene = Scene.builder().collide(true);
     scene =
         switch (kind) {
@@ -318,7 +311,7 @@ class MasksTest {
     World world = asked();
     Circle disk = new Circle(50, 50, 60);
     Bounds box = new Bounds(-5, -5, 105, 105);
-    ObstacleKind[] kinds = ObstacleKind.values();
+    Kind[] kinds = Kind.values();
     int[] seen = {0, 0, 0, 0};
     int[] seenByB = {0, 0, -1, 0};
     int[] seenByA = {-1, 0, 0, 0};
@@ -332,10 +325,10 @@ class MasksTest {
       assertThat(world.overlapping(kinds[k], box, B, -1)).hasSize(1 + seenByB[k]);
       assertThat(world.overlapping(kinds[k], disk, A, 0)).isEmpty();
     }
-    assertThat(world.nearest(ObstacleKind.WALL, 0, 50)).isZero();
-    assertThat(world.nearest(ObstacleKind.WALL, 0, 50, A, -1)).isEqualTo(-1);
-    assertThat(world.overlapping(ObstacleKind.WALL, disk)).hasSize(4);
-    assertThat(world.overlapping(ObstacleKind.WALL, disk, A, -1)).isEmpty();
+    assertThat(world.nearest(Kind.WALL, 0, 50)).isZero();
+    assertThat(world.nearest(Kind.WALL, 0, 50, A, -1)).isEqualTo(-1);
+    assertThat(world.overlapping(Kind.WALL, disk)).hasSize(4);
+    assertThat(world.overlapping(Kind.WALL, disk, A, -1)).isEmpty();
   }
 
   // Scenes.
@@ -343,13 +336,13 @@ class MasksTest {
   @Test
   void aSceneTellsTheFilters() {
     Scene scene = asked().scene();
-    assertThat(scene.category(ObstacleKind.WALL, 3)).isEqualTo(1);
-    assertThat(scene.mask(ObstacleKind.WALL, 3)).isEqualTo(~A);
-    assertThat(scene.category(ObstacleKind.LINE, 0)).isEqualTo(A);
-    assertThat(scene.mask(ObstacleKind.LINE, 0)).isEqualTo(-1);
-    assertThat(scene.mask(ObstacleKind.PEG, 0)).isEqualTo(~B);
-    assertThat(scene.category(ObstacleKind.CIRCLE, 0)).isEqualTo(B);
-    assertThatThrownBy(() -> scene.mask(ObstacleKind.CIRCLE, 1))
+    assertThat(scene.category(Kind.WALL, 3)).isEqualTo(1);
+    assertThat(scene.mask(Kind.WALL, 3)).isEqualTo(~A);
+    assertThat(scene.category(Kind.LINE, 0)).isEqualTo(A);
+    assertThat(scene.mask(Kind.LINE, 0)).isEqualTo(-1);
+    assertThat(scene.mask(Kind.PEG, 0)).isEqualTo(~B);
+    assertThat(scene.category(Kind.CIRCLE, 0)).isEqualTo(B);
+    assertThatThrownBy(() -> scene.mask(Kind.CIRCLE, 1))
         .isInstanceOf(IndexOutOfBoundsException.class)
         .hasMessage("circle 1 does not exist: the scene has 1 of them, from 0");
     assertThatThrownBy(() -> Scene.builder().filter(1, 1))

@@ -33,7 +33,7 @@ class MovingObstaclesTest {
     ImpactLog log = world.impacts();
     assertThat(log.size()).isEqualTo(1);
     assertThat(log.time(0)).isEqualTo(9 / 5.0);
-    assertThat(log.kind(0)).isEqualTo(ObstacleKind.LINE);
+    assertThat(log.kind(0)).isEqualTo(Kind.LINE);
     assertThat(log.feature(0)).isEqualTo(Feature.SIDE);
     assertThat(log.approachSpeed(0)).isEqualTo(5);
     assertThat(log.x(0)).isCloseTo(5.4, within(1e-14));
@@ -71,7 +71,7 @@ class MovingObstaclesTest {
     finish(world, 5);
     String before = world.engineDescription();
     assertThat(before).contains("1 grid");
-    world.setVelocity(ObstacleKind.LINE, 5, 0, 0);
+    world.setVelocity(Kind.LINE, 5, 0, 0);
     assertThat(world.engineDescription()).isEqualTo(before);
   }
 
@@ -84,7 +84,7 @@ class MovingObstaclesTest {
     Line last = new Line(Double.MAX_VALUE, 0, Double.MAX_VALUE, 0);
     assertThat(world.line(0)).isEqualTo(last);
     assertThat(timeline.line(0, 1e10)).isEqualTo(last);
-    world.setVelocity(ObstacleKind.LINE, 0, 0, 1);
+    world.setVelocity(Kind.LINE, 0, 0, 1);
     assertThat(world.line(0)).isEqualTo(last);
     ByteArrayOutputStream out = new ByteArrayOutputStream();
     world.snapshot().write(out);
@@ -95,22 +95,22 @@ class MovingObstaclesTest {
   @Test
   void edgesOfTheInterface() {
     World world = world(Scene.builder().bounds(0, 0, 9, 9).peg(4, 4, 1).circle(1, 1, 1, 0, 0));
-    assertThatThrownBy(() -> world.setVelocity(ObstacleKind.WALL, 0, 1, 0))
+    assertThatThrownBy(() -> world.setVelocity(Kind.WALL, 0, 1, 0))
         .isInstanceOf(IllegalArgumentException.class)
         .hasMessage("kind is WALL: expected LINE, PEG or CIRCLE: walls do not move");
-    assertThatThrownBy(() -> world.setVelocity(ObstacleKind.PEG, 0, Double.NaN, 0))
+    assertThatThrownBy(() -> world.setVelocity(Kind.PEG, 0, Double.NaN, 0))
         .isInstanceOf(IllegalArgumentException.class)
         .hasMessage("peg 0: vx is NaN: expected a finite number");
-    assertThatThrownBy(() -> world.setVelocity(ObstacleKind.PEG, 1, 0, 0))
+    assertThatThrownBy(() -> world.setVelocity(Kind.PEG, 1, 0, 0))
         .isInstanceOf(IndexOutOfBoundsException.class);
     assertThatThrownBy(() -> Scene.builder().circle(0, 0, 1, 0, 0).velocity(1, 0))
         .isInstanceOf(IllegalStateException.class);
     assertThatThrownBy(() -> Scene.builder().peg(0, 0, 1).velocity(1, Double.POSITIVE_INFINITY))
         .isInstanceOf(IllegalArgumentException.class)
         .hasMessage("peg 0: vy is Infinity: expected a finite number");
-    world.setVelocity(ObstacleKind.CIRCLE, 0, 2, 3);
-    assertThat(world.velocity(ObstacleKind.CIRCLE, 0)).isEqualTo(new Vec2(2, 3));
-    assertThat(world.velocity(ObstacleKind.WALL, 0)).isEqualTo(new Vec2(0, 0));
+    world.setVelocity(Kind.CIRCLE, 0, 2, 3);
+    assertThat(world.velocity(Kind.CIRCLE, 0)).isEqualTo(new Vec2(2, 3));
+    assertThat(world.velocity(Kind.WALL, 0)).isEqualTo(new Vec2(0, 0));
   }
 
   /** Squeezed between a moving line and a wall, alone or among others, whatever it bounces like. */
@@ -167,7 +167,7 @@ class MovingObstaclesTest {
                     .circle(20, 0, 2, 0.3, 0)
                     .mass(mass));
         finish(world, 100);
-        assertThat(world.velocity(ObstacleKind.CIRCLE, 0)).isEqualTo(new Vec2(0, 0));
+        assertThat(world.velocity(Kind.CIRCLE, 0)).isEqualTo(new Vec2(0, 0));
         assertThat(world.x(0)).isCloseTo(20, within(0.01));
       }
     }
@@ -234,11 +234,11 @@ class MovingObstaclesTest {
                 .velocity(5, 0)
                 .circle(0, 0, 1, 0, 0));
     finish(world, 20);
-    assertThat(world.velocity(ObstacleKind.CIRCLE, 0)).isEqualTo(new Vec2(0, 0));
+    assertThat(world.velocity(Kind.CIRCLE, 0)).isEqualTo(new Vec2(0, 0));
     world.movePeg(0, -2, 0, 1); // the circle is stuck, so it goes along with the peg
     finish(world, 21);
     assertThat(world.vx(0)).isCloseTo(5, within(1e-12));
-    world.remove(ObstacleKind.PEG, 0);
+    world.remove(Kind.PEG, 0);
     finish(world, 24);
     assertThat(world.impacts().size()).as("the line that went ahead").isOne();
     assertThat(world.impacts().id(0)).isZero();
@@ -293,7 +293,7 @@ class MovingObstaclesTest {
     ImpactLog log = world.impacts();
     for (int i = 0; i < log.size(); i++) {
       int circle = log.circle(i);
-      boolean pair = log.kind(i) == ObstacleKind.CIRCLE;
+      boolean pair = log.kind(i) == Kind.CIRCLE;
       boolean known = seen[circle] || (pair && seen[log.id(i)]);
       if (!known) {
         first.add(
@@ -313,10 +313,10 @@ class MovingObstaclesTest {
     World world =
         world(Scene.builder().line(0, -10, 0, 10).velocity(3, 0).peg(0, 50, 1).velocity(0, 2));
     finish(world, 4);
-    assertThat(world.nearest(ObstacleKind.LINE, 12, 0)).isZero();
-    assertThat(world.overlapping(ObstacleKind.LINE, new Circle(12, 0, 0.5))).containsExactly(0);
-    assertThat(world.overlapping(ObstacleKind.LINE, new Circle(0, 0, 0.5))).isEmpty();
-    assertThat(world.overlapping(ObstacleKind.PEG, new Bounds(-1, 57, 1, 58))).containsExactly(0);
+    assertThat(world.nearest(Kind.LINE, 12, 0)).isZero();
+    assertThat(world.overlapping(Kind.LINE, new Circle(12, 0, 0.5))).containsExactly(0);
+    assertThat(world.overlapping(Kind.LINE, new Circle(0, 0, 0.5))).isEmpty();
+    assertThat(world.overlapping(Kind.PEG, new Bounds(-1, 57, 1, 58))).containsExactly(0);
     Impact impact = world.cast(new Circle(22, 0, 1), new Vec2(0, 0), 10).orElseThrow();
     assertThat(impact.time()).isEqualTo(3);
     assertThat(impact.obstacle()).as("where it is then").isEqualTo(new Line(21, -10, 21, 10));
@@ -359,7 +359,7 @@ class MovingObstaclesTest {
     assertThat(text.toString()).contains("vx=0.1,vy=-0.2").contains("vx=0.0,vy=3.0");
     Scene back = Scene.read(new java.io.StringReader(text.toString()), "moving.csv");
     assertThat(back).isEqualTo(scene);
-    assertThat(back.velocity(ObstacleKind.PEG, 0)).isEqualTo(new Vec2(0, 3));
+    assertThat(back.velocity(Kind.PEG, 0)).isEqualTo(new Vec2(0, 3));
     assertThatThrownBy(
             () -> Scene.read(new java.io.StringReader("circle,0,0,1,0,0,vx=1\n"), "bad.csv"))
         .hasMessageContaining("key \"vx\" is unknown");

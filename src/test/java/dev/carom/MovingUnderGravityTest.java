@@ -73,19 +73,19 @@ class MovingUnderGravityTest {
         plain.setVelocity(id % CIRCLES, vx, vy);
       }
       case 1 -> {
-        world.setVelocity(ObstacleKind.PEG, id % PEGS, vx, vy);
-        other.setVelocity(ObstacleKind.PEG, id % PEGS, vx, vy);
-        plain.setVelocity(ObstacleKind.PEG, id % PEGS, vx, vy);
+        world.setVelocity(Kind.PEG, id % PEGS, vx, vy);
+        other.setVelocity(Kind.PEG, id % PEGS, vx, vy);
+        plain.setVelocity(Kind.PEG, id % PEGS, vx, vy);
       }
       case 2 -> {
-        world.setVelocity(ObstacleKind.LINE, id, 0, 0);
-        other.setVelocity(ObstacleKind.LINE, id, 0, 0);
-        plain.setVelocity(ObstacleKind.LINE, id, 0, 0);
+        world.setVelocity(Kind.LINE, id, 0, 0);
+        other.setVelocity(Kind.LINE, id, 0, 0);
+        plain.setVelocity(Kind.LINE, id, 0, 0);
       }
       default -> {
-        world.setVelocity(ObstacleKind.LINE, id, vx, vy);
-        other.setVelocity(ObstacleKind.LINE, id, vx, vy);
-        plain.setVelocity(ObstacleKind.LINE, id, vx, vy);
+        world.setVelocity(Kind.LINE, id, vx, vy);
+        other.setVelocity(Kind.LINE, id, vx, vy);
+        plain.setVelocity(Kind.LINE, id, vx, vy);
       }
     }
   }

@@ -23,7 +23,7 @@ final class NearlyAtOnce {
   private static final int[][] TRIPLES = {{1, 0, 1}, {3, 4, 5}, {5, 12, 13}, {15, 8, 17}};
 
   /** An impact, as the oracle tells. */
-  record Truth(ObstacleKind kind, int id, Contact contact) {
+  record Truth(Kind kind, int id, Contact contact) {
 
     int compareTime(Truth other) {
       return contact.moment().compareTo(other.contact.moment());
@@ -190,28 +190,28 @@ final class NearlyAtOnce {
     if (all == null) {
       all = all();
     }
-    return all.stream().filter(each -> collide || each.kind != ObstacleKind.CIRCLE).toList();
+    return all.stream().filter(each -> collide || each.kind != Kind.CIRCLE).toList();
   }
 
   private List<Truth> all() {
     List<Truth> all = new ArrayList<>();
     if (bounds != null) {
       Contact wall = wall();
-      add(all, ObstacleKind.WALL, wall.hit() ? wallOf(wall) : -1, wall);
+      add(all, Kind.WALL, wall.hit() ? wallOf(wall) : -1, wall);
     }
     for (int i = 0; i < lines.size(); i++) {
-      add(all, ObstacleKind.LINE, i, line(lines.get(i)));
+      add(all, Kind.LINE, i, line(lines.get(i)));
     }
     for (int i = 0; i < pegs.size(); i++) {
-      add(all, ObstacleKind.PEG, i, pair(pegs.get(i), Vec2.ZERO));
+      add(all, Kind.PEG, i, pair(pegs.get(i), Vec2.ZERO));
     }
     for (int i = 0; i < circles.size(); i++) {
-      add(all, ObstacleKind.CIRCLE, i, pair(circles.get(i), velocities.get(i)));
+      add(all, Kind.CIRCLE, i, pair(circles.get(i), velocities.get(i)));
     }
     return all;
   }
 
-  private static void add(List<Truth> all, ObstacleKind kind, int id, Contact contact) {
+  private static void add(List<Truth> all, Kind kind, int id, Contact contact) {
     if (contact.hit()) {
       all.add(new Truth(kind, id, contact));
     }

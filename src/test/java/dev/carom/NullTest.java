@@ -84,15 +84,15 @@ class NullTest {
         call("kind", () -> WORLD.nearest(null, 1, 2)),
         call("kind", () -> WORLD.overlapping(null, CIRCLE)),
         call("kind", () -> WORLD.overlapping(null, new Bounds(0, 0, 1, 1))),
-        call("disk", () -> WORLD.overlapping(ObstacleKind.LINE, (Circle) null)),
-        call("box", () -> WORLD.overlapping(ObstacleKind.CIRCLE, (Bounds) null)),
+        call("disk", () -> WORLD.overlapping(Kind.LINE, (Circle) null)),
+        call("box", () -> WORLD.overlapping(Kind.CIRCLE, (Bounds) null)),
         call("kind", () -> EMPTY.restitution(null, 0)),
         call("kind", () -> EMPTY.response(null, 0)),
         call("kind", () -> WORLD.restitution(null, 0)),
         call("kind", () -> WORLD.response(null, 0)),
         call("kind", () -> WORLD.setRestitution(null, 0, 1)),
         call("kind", () -> WORLD.setResponse(null, 0, Response.HALT)),
-        call("response", () -> BOX.setResponse(ObstacleKind.WALL, 0, null)),
+        call("response", () -> BOX.setResponse(Kind.WALL, 0, null)),
         call("kind", () -> WORLD.remove(null, 0)),
         call("snapshot", () -> WORLD.restore(null)));
   }

@@ -5,7 +5,7 @@ import static org.assertj.core.api.Assertions.assertThat;
 
 import dev.carom.internal.io.SceneRowKind;
 import dev.carom.internal.state.ContactFlags;
-import dev.carom.internal.util.Kind;
+import dev.carom.internal.util.KindNumber;
 import dev.carom.internal.util.Part;
 import org.junit.jupiter.api.Test;
 
@@ -25,12 +25,12 @@ class OrdinalsTest {
 
   @Test
   void kinds() {
-    assertThat(ObstacleKind.values()).hasSize(4);
-    assertThat(ObstacleKind.of(Kind.WALL)).isEqualTo(ObstacleKind.WALL);
-    assertThat(ObstacleKind.of(Kind.LINE)).isEqualTo(ObstacleKind.LINE);
-    assertThat(ObstacleKind.of(Kind.PEG)).isEqualTo(ObstacleKind.PEG);
-    assertThat(ObstacleKind.of(Kind.CIRCLE)).isEqualTo(ObstacleKind.CIRCLE);
-    assertThat(ObstacleKind.LINE.nameOf(3)).isEqualTo("line 3");
+    assertThat(Kind.values()).hasSize(4);
+    assertThat(Kind.of(KindNumber.WALL)).isEqualTo(Kind.WALL);
+    assertThat(Kind.of(KindNumber.LINE)).isEqualTo(Kind.LINE);
+    assertThat(Kind.of(KindNumber.PEG)).isEqualTo(Kind.PEG);
+    assertThat(Kind.of(KindNumber.CIRCLE)).isEqualTo(Kind.CIRCLE);
+    assertThat(Kind.LINE.nameOf(3)).isEqualTo("line 3");
   }
 
   @Test

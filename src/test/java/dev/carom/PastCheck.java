@@ -31,8 +31,8 @@ final class PastCheck {
   /** Before or after a step: what is seen last at a time counts. */
   void look() {
     snapshots.put(world.now(), world.snapshot());
-    for (int i = 0; i < world.idLimit(ObstacleKind.CIRCLE); i++) {
-      if (world.contains(ObstacleKind.CIRCLE, i)) {
+    for (int i = 0; i < world.idLimit(Kind.CIRCLE); i++) {
+      if (world.contains(Kind.CIRCLE, i)) {
         Run.State state = new Run.State(world.x(i), world.y(i), world.vx(i), world.vy(i));
         seen.computeIfAbsent(i, k -> new TreeMap<>()).put(world.now(), state);
       }
@@ -45,7 +45,7 @@ final class PastCheck {
     int compared = compareSnapshots();
     for (int i : seen.keySet()) {
       for (double t : seen.get(i).keySet()) {
-        if (past.contains(ObstacleKind.CIRCLE, i, t)) {
+        if (past.contains(Kind.CIRCLE, i, t)) {
           Run.State then = new Run.State(past.x(i, t), past.y(i, t), past.vx(i, t), past.vy(i, t));
           assertThat(then).as("circle %s at %s", i, t).isEqualTo(seen.get(i).get(t));
           compared++;

@@ -5,7 +5,7 @@ import dev.carom.internal.state.Codes;
 import dev.carom.internal.state.ContactFlags;
 import dev.carom.internal.state.Filter;
 import dev.carom.internal.state.MovingCircle;
-import dev.carom.internal.util.Kind;
+import dev.carom.internal.util.KindNumber;
 import java.util.HashMap;
 
 /** The edits of a {@link PlainWorld}: they change the flights as {@link World} tells. */
@@ -143,11 +143,11 @@ abstract class PlainEdits extends PlainSearch {
   }
 
   void addLine(double ax, double ay, double bx, double by) {
-    appear(obstacles.add(Kind.LINE, ax, ay, bx, by));
+    appear(obstacles.add(KindNumber.LINE, ax, ay, bx, by));
   }
 
   void addPeg(double x, double y, double radius) {
-    appear(obstacles.add(Kind.PEG, x, y, radius));
+    appear(obstacles.add(KindNumber.PEG, x, y, radius));
   }
 
   void moveLine(int id, double ax, double ay, double bx, double by) {
@@ -163,14 +163,14 @@ abstract class PlainEdits extends PlainSearch {
   }
 
   /** Lets a line or a peg move. */
-  void setVelocity(ObstacleKind kind, int id, double vx, double vy) {
+  void setVelocity(Kind kind, int id, double vx, double vy) {
     int code = Codes.of(kind.ordinal(), id);
     letFallFrom(code);
     obstacles.setVelocity(code, vx, vy, now);
     appear(code);
   }
 
-  void remove(ObstacleKind kind, int id) {
+  void remove(Kind kind, int id) {
     switch (kind) {
       case LINE -> removeObstacle(Codes.line(id));
       case PEG -> removeObstacle(Codes.peg(id));
@@ -192,7 +192,7 @@ abstract class PlainEdits extends PlainSearch {
     bodies.forEach(m -> m.forget(code, 0));
   }
 
-  void setRestitution(ObstacleKind kind, int id, double e) {
+  void setRestitution(Kind kind, int id, double e) {
     switch (kind) {
       case LINE -> obstacles.setRestitution(Codes.line(id), e);
       case PEG -> obstacles.setRestitution(Codes.peg(id), e);
@@ -202,10 +202,10 @@ abstract class PlainEdits extends PlainSearch {
     noteContact(Codes.of(kind.ordinal(), id));
   }
 
-  void setResponse(ObstacleKind kind, int id, Response response) {
+  void setResponse(Kind kind, int id, Response response) {
     switch (kind) {
       case LINE, PEG -> {
-        int code = (kind == ObstacleKind.LINE ? Codes.line(0) : Codes.peg(0)) + id;
+        int code = (kind == Kind.LINE ? Codes.line(0) : Codes.peg(0)) + id;
         setTraits(code, ContactFlags.with(obstacles.traits(code), response.ordinal()));
       }
       case WALL ->
@@ -230,11 +230,11 @@ abstract class PlainEdits extends PlainSearch {
     }
   }
 
-  void setFilter(ObstacleKind kind, int id, int category, int mask) {
+  void setFilter(Kind kind, int id, int category, int mask) {
     long filter = Filter.of(category, mask);
     switch (kind) {
       case LINE, PEG -> {
-        int code = (kind == ObstacleKind.LINE ? Codes.line(0) : Codes.peg(0)) + id;
+        int code = (kind == Kind.LINE ? Codes.line(0) : Codes.peg(0)) + id;
         if (filter != obstacles.filter(code)) {
           letFallFrom(code);
           obstacles.setFilter(code, filter);

@@ -14,7 +14,7 @@ import dev.carom.internal.state.ImpactRows;
 import dev.carom.internal.state.MovingCircle;
 import dev.carom.internal.state.ObstacleTable;
 import dev.carom.internal.util.IntList;
-import dev.carom.internal.util.Kind;
+import dev.carom.internal.util.KindNumber;
 import java.util.ArrayList;
 import java.util.HashMap;
 import java.util.List;
@@ -64,7 +64,7 @@ abstract class PlainState {
       Circle c = scene.circle(i);
       Vec2 v = scene.velocity(i);
       MovingCircle m = new MovingCircle();
-      m.start(i, c.x(), c.y(), c.radius(), v.x(), v.y(), scene.restitution(ObstacleKind.CIRCLE, i));
+      m.start(i, c.x(), c.y(), c.radius(), v.x(), v.y(), scene.restitution(Kind.CIRCLE, i));
       m.filter = registry.filter(i);
       release(m);
       bodies.add(m);
@@ -215,7 +215,7 @@ abstract class PlainState {
   int[] codes() {
     return IntStream.concat(
             IntStream.range(0, obstacles.lines.end),
-            IntStream.range(Codes.peg(0), obstacles.ofKind(Kind.PEG).end))
+            IntStream.range(Codes.peg(0), obstacles.ofKind(KindNumber.PEG).end))
         .filter(code -> Codes.isWall(code) || !obstacles.isGone(code))
         .toArray();
   }

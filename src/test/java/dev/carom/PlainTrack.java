@@ -105,7 +105,7 @@ final class PlainTrack {
     double left = Math.PI;
     double right = Math.PI;
     List<double[]> points = new ArrayList<>();
-    for (int k : world.ids(ObstacleKind.LINE)) {
+    for (int k : world.ids(Kind.LINE)) {
       Vec2 p = world.line(k).closestPoint(new Vec2(x, y));
       points.add(new double[] {p.x(), p.y(), r});
     }

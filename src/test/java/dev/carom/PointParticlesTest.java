@@ -30,7 +30,7 @@ class PointParticlesTest {
     assertThat(world.x(0)).isEqualTo(60);
     assertThat(world.cast(new Circle(0, 50, 0), new Vec2(1, 0), 30)).isEmpty();
     assertThat(world.cast(new Circle(20, 50, 1), new Vec2(10, 0), 30).orElseThrow().kind())
-        .isEqualTo(ObstacleKind.CIRCLE);
+        .isEqualTo(Kind.CIRCLE);
   }
 
   /** Points among circles: energy stays, and the steps change no bit. */
@@ -57,7 +57,7 @@ class PointParticlesTest {
       ImpactLog log = world.impacts();
       impacts += log.size();
       for (int row = 0; row < log.size(); row++) {
-        if (log.kind(row) == ObstacleKind.CIRCLE) {
+        if (log.kind(row) == Kind.CIRCLE) {
           pairs++;
           double sum = world.radius(log.circle(row)) + world.radius(log.id(row));
           assertThat(sum).isPositive();
@@ -117,13 +117,13 @@ class PointParticlesTest {
     assertThatIllegalArgumentException()
         .isThrownBy(() -> lines.setRadius(0, 0))
         .withMessage("circle 0: radius is 0.0: expected more than 0, as there are lines");
-    lines.remove(ObstacleKind.LINE, 0);
+    lines.remove(Kind.LINE, 0);
     lines.setRadius(0, 0);
     assertThatIllegalArgumentException()
         .isThrownBy(() -> lines.addLine(0, 0, 1, 1))
         .withMessage(
             "line 1: radius of circle 0 is 0.0: expected more than 0, for a line to be added");
-    assertThat(lines.ids(ObstacleKind.LINE)).isEmpty();
+    assertThat(lines.ids(Kind.LINE)).isEmpty();
     assertThat(lines.step(1)).isTrue();
     lines.setRadius(0, 2);
     assertThat(lines.addLine(0, 0, 1, 1)).isEqualTo(1);

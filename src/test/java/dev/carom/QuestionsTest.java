@@ -91,7 +91,7 @@ class QuestionsTest {
               speed(random, unit),
               speed(random, unit));
       if (i % 9 == 0) {
-        world.setResponse(ObstacleKind.CIRCLE, id, Response.SENSOR);
+        world.setResponse(Kind.CIRCLE, id, Response.SENSOR);
       }
     }
   }
@@ -186,27 +186,27 @@ class QuestionsTest {
   }
 
   private static void edit(World world, Random random, double unit, int round) {
-    int[] lines = world.ids(ObstacleKind.LINE);
-    int[] pegs = world.ids(ObstacleKind.PEG);
+    int[] lines = world.ids(Kind.LINE);
+    int[] pegs = world.ids(Kind.PEG);
     for (int i = 0; i < (round == 3 ? 60 : 4); i++) {
       double x = place(random, unit);
       double y = place(random, unit);
       world.moveLine(lines[i], x, y, x + way(random, unit), y + way(random, unit));
       world.addLine(y, x, x, y);
     }
-    world.remove(ObstacleKind.LINE, lines[lines.length / 2]);
-    world.remove(ObstacleKind.PEG, pegs[round]);
+    world.remove(Kind.LINE, lines[lines.length / 2]);
+    world.remove(Kind.PEG, pegs[round]);
     world.movePeg(pegs[9], place(random, unit), place(random, unit), radius(random, unit));
     world.addPeg(place(random, unit), place(random, unit), radius(random, unit));
-    world.setVelocity(ObstacleKind.PEG, pegs[10 + round], speed(random, unit), unit);
-    world.setVelocity(ObstacleKind.LINE, lines[10], 0, 0);
-    world.setFilter(ObstacleKind.PEG, pegs[20 + round], 2, 4);
-    int[] circles = world.ids(ObstacleKind.CIRCLE);
+    world.setVelocity(Kind.PEG, pegs[10 + round], speed(random, unit), unit);
+    world.setVelocity(Kind.LINE, lines[10], 0, 0);
+    world.setFilter(Kind.PEG, pegs[20 + round], 2, 4);
+    int[] circles = world.ids(Kind.CIRCLE);
     if (circles.length > 0) {
-      world.remove(ObstacleKind.CIRCLE, circles[round]);
+      world.remove(Kind.CIRCLE, circles[round]);
       world.setPosition(circles[19], place(random, unit), place(random, unit));
       world.setVelocity(circles[21], 50 * unit, unit);
-      world.setFilter(ObstacleKind.CIRCLE, circles[22], 2, -1);
+      world.setFilter(Kind.CIRCLE, circles[22], 2, -1);
       addCircles(world, random, unit, 3);
     }
   }
@@ -215,7 +215,7 @@ class QuestionsTest {
     double x = place(random, unit);
     double y = place(random, unit);
     double r = random.nextInt(3) == 0 ? 0 : radius(random, unit);
-    Line line = worlds.plain.line(worlds.plain.ids(ObstacleKind.LINE)[random.nextInt(100)]);
+    Line line = worlds.plain.line(worlds.plain.ids(Kind.LINE)[random.nextInt(100)]);
     Circle disk =
         random.nextInt(6) == 0 ? new Circle(line.ax() + r, line.ay(), r) : new Circle(x, y, r);
     Vec2 v = new Vec2(speed(random, unit), speed(random, unit));
@@ -224,7 +224,7 @@ class QuestionsTest {
     hit.ifPresent(impact -> worlds.compare(world -> world.cast(disk, v, impact.time())));
     worlds.compare(world -> world.trace(disk, v, 0.9, 30, 12));
     Bounds box = new Bounds(x - 3 * unit, y - 5 * unit, x + random.nextDouble() * unit, y + unit);
-    for (ObstacleKind kind : ObstacleKind.values()) {
+    for (Kind kind : Kind.values()) {
       worlds.compare(world -> world.nearest(kind, x, y));
       worlds.compare(world -> list(world.overlapping(kind, disk)));
       worlds.compare(world -> list(world.overlapping(kind, box)));

@@ -106,7 +106,7 @@ class RadiiTrajectoryTest {
   }
 
   private static int column(Run.Row row) {
-    if (row.kind() == ObstacleKind.WALL) {
+    if (row.kind() == Kind.WALL) {
       return 3;
     }
     return row.feature() == Feature.SIDE ? 0 : row.feature() == Feature.START ? 1 : 2;

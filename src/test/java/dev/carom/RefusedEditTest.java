@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
 package dev.carom;
 
-import static dev.carom.ObstacleKind.CIRCLE;
-import static dev.carom.ObstacleKind.LINE;
-import static dev.carom.ObstacleKind.PEG;
-import static dev.carom.ObstacleKind.WALL;
+import static dev.carom.Kind.CIRCLE;
+import static dev.carom.Kind.LINE;
+import static dev.carom.Kind.PEG;
+import static dev.carom.Kind.WALL;
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.assertThatThrownBy;
 import static org.junit.jupiter.params.provider.Arguments.arguments;

@@ -76,9 +76,9 @@ class ResponseTest {
     SceneBuilder with = box().peg(50, 50, 10).response(Response.SENSOR).circle(20, 50, 5, 5, 0);
     SceneBuilder without = box().circle(20, 50, 5, 5, 0);
     List<Run.Row> rows = impacts(with, 60);
-    assertThat(rows.stream().filter(row -> row.kind() == ObstacleKind.WALL).toList())
+    assertThat(rows.stream().filter(row -> row.kind() == Kind.WALL).toList())
         .isEqualTo(impacts(without, 60));
-    assertThat(rows.stream().filter(row -> row.kind() == ObstacleKind.PEG).map(Run.Row::time))
+    assertThat(rows.stream().filter(row -> row.kind() == Kind.PEG).map(Run.Row::time))
         .containsExactly(3.0, 21.0, 39.0, 57.0);
     Run.Row first = rows.get(0);
     assertThat(List.of(first.x(), first.y(), first.nx(), first.speed()))
@@ -96,7 +96,7 @@ class ResponseTest {
                 .line(50, 0, 50, 100)
                 .circle(10, 50, 5, 5, 0),
             13);
-    assertThat(rows).extracting(Run.Row::kind).containsExactly(ObstacleKind.PEG, ObstacleKind.LINE);
+    assertThat(rows).extracting(Run.Row::kind).containsExactly(Kind.PEG, Kind.LINE);
   }
 
   @Test
@@ -147,7 +147,7 @@ class ResponseTest {
             box().line(50, 0, 50, 100).oneWay().circle(20, 50, 5, 2, 0).circle(80, 20, 5, -2, 0),
             35);
     assertThat(rows.stream().filter(row -> row.circle() == 0).map(Run.Row::kind))
-        .containsOnly(ObstacleKind.LINE, ObstacleKind.WALL);
+        .containsOnly(Kind.LINE, Kind.WALL);
     assertThat(rows.stream().filter(row -> row.circle() == 1)).isEmpty();
   }
 

@@ -15,7 +15,7 @@ public record Run(List<Row> impacts, List<State> end) {
   public record Row(
       double time,
       int circle,
-      ObstacleKind kind,
+      Kind kind,
       int obstacle,
       Feature feature,
       double x,

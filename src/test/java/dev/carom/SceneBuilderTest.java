@@ -88,7 +88,7 @@ class SceneBuilderTest {
     assertThatIllegalArgumentException().isThrownBy(() -> builder.mass(0));
     assertThatIllegalArgumentException().isThrownBy(() -> builder.gravity(1, INFINITY));
     assertThat(builder.build()).isEqualTo(two().build());
-    assertThat(builder.restitution(0.5).build().restitution(ObstacleKind.CIRCLE, 2)).isEqualTo(0.5);
+    assertThat(builder.restitution(0.5).build().restitution(Kind.CIRCLE, 2)).isEqualTo(0.5);
   }
 
   @ParameterizedTest

@@ -19,16 +19,14 @@ public final class SceneParts {
             b ->
                 builder
                     .bounds(b.xmin(), b.ymin(), b.xmax(), b.ymax())
-                    .restitution(scene.restitution(ObstacleKind.WALL, 0)));
+                    .restitution(scene.restitution(Kind.WALL, 0)));
     for (int i : lines) {
       Line l = scene.line(i);
-      builder
-          .line(l.ax(), l.ay(), l.bx(), l.by())
-          .restitution(scene.restitution(ObstacleKind.LINE, i));
+      builder.line(l.ax(), l.ay(), l.bx(), l.by()).restitution(scene.restitution(Kind.LINE, i));
     }
     for (int i : pegs) {
       Circle p = scene.peg(i);
-      builder.peg(p.x(), p.y(), p.radius()).restitution(scene.restitution(ObstacleKind.PEG, i));
+      builder.peg(p.x(), p.y(), p.radius()).restitution(scene.restitution(Kind.PEG, i));
     }
     for (int i : circles) {
       Circle c = scene.circle(i);

@@ -60,7 +60,7 @@ class SceneTest {
   @Test
   void gravityIsNoThing() {
     Scene scene = Scene.builder().peg(1, 2, 3).gravity(0, 1).restitution(0.5).build();
-    assertThat(scene.restitution(ObstacleKind.PEG, 0)).isEqualTo(0.5);
+    assertThat(scene.restitution(Kind.PEG, 0)).isEqualTo(0.5);
     assertThat(scene)
         .hasToString("Scene[circles=0, lines=0, pegs=1, bounds=none, gravity=Vec2[x=0.0, y=1.0]]");
   }
@@ -68,13 +68,13 @@ class SceneTest {
   @Test
   void restitutionAndMassBelongToTheThingAddedLast() {
     Scene scene = full().build();
-    assertThat(scene.restitution(ObstacleKind.WALL, 0)).isEqualTo(0.5);
-    assertThat(scene.restitution(ObstacleKind.LINE, 0)).isEqualTo(1);
-    assertThat(scene.restitution(ObstacleKind.LINE, 1)).isEqualTo(0.25);
-    assertThat(scene.restitution(ObstacleKind.PEG, 0)).isEqualTo(1.5);
-    assertThat(scene.restitution(ObstacleKind.PEG, 1)).isEqualTo(1);
-    assertThat(scene.restitution(ObstacleKind.CIRCLE, 0)).isZero();
-    assertThat(scene.restitution(ObstacleKind.CIRCLE, 1)).isEqualTo(1);
+    assertThat(scene.restitution(Kind.WALL, 0)).isEqualTo(0.5);
+    assertThat(scene.restitution(Kind.LINE, 0)).isEqualTo(1);
+    assertThat(scene.restitution(Kind.LINE, 1)).isEqualTo(0.25);
+    assertThat(scene.restitution(Kind.PEG, 0)).isEqualTo(1.5);
+    assertThat(scene.restitution(Kind.PEG, 1)).isEqualTo(1);
+    assertThat(scene.restitution(Kind.CIRCLE, 0)).isZero();
+    assertThat(scene.restitution(Kind.CIRCLE, 1)).isEqualTo(1);
     assertThat(scene.mass(0)).isEqualTo(56);
     assertThat(scene.mass(1)).isEqualTo(1);
   }
@@ -84,7 +84,7 @@ class SceneTest {
     Scene scene = Scene.builder().build();
     assertThat(scene.bounds()).isEmpty();
     assertThatExceptionOfType(IndexOutOfBoundsException.class)
-        .isThrownBy(() -> scene.restitution(ObstacleKind.WALL, 0))
+        .isThrownBy(() -> scene.restitution(Kind.WALL, 0))
         .withMessage("wall 0 does not exist: the scene has none of them");
     assertThat(scene.circleCount() + scene.lineCount() + scene.pegCount()).isZero();
     assertThat(scene).hasToString("Scene[circles=0, lines=0, pegs=0, bounds=none]");
@@ -99,7 +99,7 @@ class SceneTest {
         .hasToString(
             "Scene[circles=1, lines=1, pegs=0,"
                 + " bounds=Bounds[xmin=0.0, ymin=0.0, xmax=800.0, ymax=600.0]]");
-    assertThat(scene.restitution(ObstacleKind.LINE, 0)).isEqualTo(0.9);
+    assertThat(scene.restitution(Kind.LINE, 0)).isEqualTo(0.9);
   }
 
   static Stream<Arguments> lookups() {
@@ -108,15 +108,15 @@ class SceneTest {
         lookup("circle", scene::circle),
         lookup("circle", scene::velocity),
         lookup("circle", scene::mass),
-        lookup("circle", i -> scene.restitution(ObstacleKind.CIRCLE, i)),
-        lookup("circle", i -> scene.response(ObstacleKind.CIRCLE, i)),
+        lookup("circle", i -> scene.restitution(Kind.CIRCLE, i)),
+        lookup("circle", i -> scene.response(Kind.CIRCLE, i)),
         lookup("line", scene::line),
-        lookup("line", i -> scene.restitution(ObstacleKind.LINE, i)),
-        lookup("line", i -> scene.response(ObstacleKind.LINE, i)),
+        lookup("line", i -> scene.restitution(Kind.LINE, i)),
+        lookup("line", i -> scene.response(Kind.LINE, i)),
         lookup("line", scene::oneWay),
         lookup("peg", scene::peg),
-        lookup("peg", i -> scene.restitution(ObstacleKind.PEG, i)),
-        lookup("peg", i -> scene.response(ObstacleKind.PEG, i)));
+        lookup("peg", i -> scene.restitution(Kind.PEG, i)),
+        lookup("peg", i -> scene.response(Kind.PEG, i)));
   }
 
   private static Arguments lookup(String kind, IntFunction<?> get) {

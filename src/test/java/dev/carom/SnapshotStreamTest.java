@@ -8,7 +8,7 @@ import dev.carom.internal.state.Codes;
 import dev.carom.internal.state.IgnoreList;
 import dev.carom.internal.state.MovingCircle;
 import dev.carom.internal.state.SizeLimits;
-import dev.carom.internal.util.Kind;
+import dev.carom.internal.util.KindNumber;
 import java.io.ByteArrayInputStream;
 import java.io.ByteArrayOutputStream;
 import java.io.IOException;
@@ -113,9 +113,9 @@ class SnapshotStreamTest {
     World world = new World(room().collide(collide).circle(50, 50, 5, 1, 2).build());
     int before = SnapshotBytes.of(world.snapshot()).length;
     for (int i = 0; i < 100; i++) {
-      world.remove(ObstacleKind.CIRCLE, world.addCircle(20, 20, 1, i, 3));
-      world.remove(ObstacleKind.LINE, world.addLine(0, i, 5, i));
-      world.remove(ObstacleKind.PEG, world.addPeg(i, 0, 1));
+      world.remove(Kind.CIRCLE, world.addCircle(20, 20, 1, i, 3));
+      world.remove(Kind.LINE, world.addLine(0, i, 5, i));
+      world.remove(Kind.PEG, world.addPeg(i, 0, 1));
     }
     world.addCircle(20, 20, 1, 1, 3);
     byte[] after = SnapshotBytes.of(world.snapshot());
@@ -130,7 +130,7 @@ class SnapshotStreamTest {
     for (int i = 0; i < 20; i++) {
       int id = world.addCircle(30 + i, 40, 3, 1, i);
       Run.step(world, 0.5);
-      world.remove(ObstacleKind.CIRCLE, i % 3 == 0 ? i / 3 : id);
+      world.remove(Kind.CIRCLE, i % 3 == 0 ? i / 3 : id);
     }
     World other = new World(world.scene());
     other.restore(SnapshotBytes.copy(world.snapshot()));
@@ -157,9 +157,9 @@ class SnapshotStreamTest {
     World world = new World(RandomScenes.responses(new Random(3)).collide(collide).build());
     Run.step(world, 20);
     Snapshot one = world.snapshot();
-    world.remove(ObstacleKind.CIRCLE, 7);
-    world.remove(ObstacleKind.LINE, 8);
-    world.remove(ObstacleKind.PEG, 9);
+    world.remove(Kind.CIRCLE, 7);
+    world.remove(Kind.LINE, 8);
+    world.remove(Kind.PEG, 9);
     world.setMass(6, Double.POSITIVE_INFINITY);
     Run.step(world, 1);
     Snapshot two = world.snapshot();
@@ -187,15 +187,15 @@ class SnapshotStreamTest {
       scene.line(20 + i, -5, 20 + i, 5).peg(-20 - i, 0, 1);
     }
     World world = new World(scene.build());
-    world.remove(ObstacleKind.LINE, 1);
-    world.remove(ObstacleKind.PEG, 2);
+    world.remove(Kind.LINE, 1);
+    world.remove(Kind.PEG, 2);
     World other = new World(world.scene());
     other.restore(SnapshotBytes.copy(world.snapshot()));
     assertThat(other.engineDescription())
         .isEqualTo(world.engineDescription())
         .contains("4 lines and pegs without a grid");
-    world.remove(ObstacleKind.LINE, 0); // most are gone by now
-    world.remove(ObstacleKind.PEG, 1);
+    world.remove(Kind.LINE, 0); // most are gone by now
+    world.remove(Kind.PEG, 1);
     other.restore(SnapshotBytes.copy(world.snapshot()));
     assertThat(other.engineDescription())
         .isEqualTo(world.engineDescription())
@@ -207,14 +207,14 @@ class SnapshotStreamTest {
     SceneBuilder builder = room().response(Response.HALT).line(10, 20, 30, 40).oneWay();
     builder.peg(50, 50, 5).response(Response.SENSOR).circle(70, 70, 3, 1, -2);
     World world = new World(builder.circle(20, 80, 3, 1, -2).response(Response.SENSOR).build());
-    world.remove(ObstacleKind.CIRCLE, 0);
+    world.remove(Kind.CIRCLE, 0);
     World other = new World(world.scene());
     other.restore(SnapshotBytes.copy(world.snapshot()));
     assertThat(other.snapshot()).isEqualTo(world.snapshot());
-    assertThat(other.response(ObstacleKind.WALL, 0)).isEqualTo(Response.HALT);
+    assertThat(other.response(Kind.WALL, 0)).isEqualTo(Response.HALT);
     assertThat(other.oneWay(0)).isTrue();
-    assertThat(other.response(ObstacleKind.PEG, 0)).isEqualTo(Response.SENSOR);
-    assertThat(other.response(ObstacleKind.CIRCLE, 1)).isEqualTo(Response.SENSOR);
+    assertThat(other.response(Kind.PEG, 0)).isEqualTo(Response.SENSOR);
+    assertThat(other.response(Kind.CIRCLE, 1)).isEqualTo(Response.SENSOR);
   }
 
   /** Eight bytes for each thing of a kind, once one of them has a filter of its own. */
@@ -224,22 +224,22 @@ class SnapshotStreamTest {
     world.addCircle(70, 70, 3, 1, -2);
     world.addCircle(20, 80, 3, 1, -2);
     int plain = SnapshotBytes.of(world.snapshot()).length;
-    world.setFilter(ObstacleKind.WALL, 0, 7, 6);
+    world.setFilter(Kind.WALL, 0, 7, 6);
     assertThat(SnapshotBytes.of(world.snapshot())).hasSize(plain);
-    world.setFilter(ObstacleKind.LINE, 1, 2, -1);
+    world.setFilter(Kind.LINE, 1, 2, -1);
     assertThat(SnapshotBytes.of(world.snapshot())).hasSize(plain + 16);
-    world.setFilter(ObstacleKind.CIRCLE, 0, 1, 4);
+    world.setFilter(Kind.CIRCLE, 0, 1, 4);
     assertThat(SnapshotBytes.of(world.snapshot())).hasSize(plain + 32);
     World other = new World(world.scene());
     other.restore(SnapshotBytes.copy(world.snapshot()));
     assertThat(other.snapshot()).isEqualTo(world.snapshot());
-    assertThat(other.category(ObstacleKind.WALL, 3)).isEqualTo(7);
-    assertThat(other.mask(ObstacleKind.WALL, 3)).isEqualTo(6);
-    assertThat(other.category(ObstacleKind.LINE, 0)).isEqualTo(1);
-    assertThat(other.category(ObstacleKind.LINE, 1)).isEqualTo(2);
-    assertThat(other.mask(ObstacleKind.PEG, 0)).isEqualTo(-1);
-    assertThat(other.mask(ObstacleKind.CIRCLE, 0)).isEqualTo(4);
-    assertThat(other.mask(ObstacleKind.CIRCLE, 1)).isEqualTo(-1);
+    assertThat(other.category(Kind.WALL, 3)).isEqualTo(7);
+    assertThat(other.mask(Kind.WALL, 3)).isEqualTo(6);
+    assertThat(other.category(Kind.LINE, 0)).isEqualTo(1);
+    assertThat(other.category(Kind.LINE, 1)).isEqualTo(2);
+    assertThat(other.mask(Kind.PEG, 0)).isEqualTo(-1);
+    assertThat(other.mask(Kind.CIRCLE, 0)).isEqualTo(4);
+    assertThat(other.mask(Kind.CIRCLE, 1)).isEqualTo(-1);
   }
 
   @Test
@@ -284,7 +284,7 @@ class SnapshotStreamTest {
   @ValueSource(ints = {LINES, PEGS, CIRCLES + 4})
   void aLargeNumberOfThingsAloneIsRefused(int at) throws IOException {
     byte[] bytes = small();
-    ByteBuffer.wrap(bytes).putInt(at, Codes.limit(Kind.LINE));
+    ByteBuffer.wrap(bytes).putInt(at, Codes.limit(KindNumber.LINE));
     assertThatThrownBy(() -> read(bytes)).isInstanceOf(IOException.class);
   }
 

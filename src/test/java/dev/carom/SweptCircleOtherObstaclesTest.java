@@ -42,7 +42,7 @@ class SweptCircleOtherObstaclesTest {
         impact,
         new Impact(
             t,
-            ObstacleKind.WALL,
+            Kind.WALL,
             nx > 0 ? 0 : nx < 0 ? 1 : ny > 0 ? 2 : 3,
             ROOM,
             Feature.SIDE,
@@ -106,8 +106,7 @@ class SweptCircleOtherObstaclesTest {
     Impact impact = SweptCircle.cast(new Circle(16, 8, 5), new Vec2(-3, -4), end, 1).orElseThrow();
     assertImpact(
         impact,
-        new Impact(
-            1, ObstacleKind.PEG, -1, end, Feature.CIRCLE, new Vec2(10, 0), new Vec2(0.6, 0.8), 5));
+        new Impact(1, Kind.PEG, -1, end, Feature.CIRCLE, new Vec2(10, 0), new Vec2(0.6, 0.8), 5));
   }
 
   /** The gap of 10 closes at 2 + 3 a frame; they touch at x = 4 + 1. */
@@ -121,7 +120,7 @@ class SweptCircleOtherObstaclesTest {
         impact,
         new Impact(
             2,
-            ObstacleKind.CIRCLE,
+            Kind.CIRCLE,
             -1,
             new Circle(7, 0, 2),
             Feature.CIRCLE,

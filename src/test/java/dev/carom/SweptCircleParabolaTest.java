@@ -40,7 +40,7 @@ class SweptCircleParabolaTest {
     assertThat(impact.normal()).isEqualTo(new Vec2(0, 1));
     assertThat(impact.point()).isEqualTo(new Vec2(7, 0));
     assertThat(impact.approachSpeed()).isEqualTo(4);
-    assertThat(impact.kind()).isEqualTo(ObstacleKind.LINE);
+    assertThat(impact.kind()).isEqualTo(Kind.LINE);
     assertThat(impact.obstacle()).isEqualTo(FLOOR);
     assertThat(impact.id()).isEqualTo(-1);
   }
@@ -63,7 +63,7 @@ class SweptCircleParabolaTest {
     Impact impact = cast(new Circle(5, 5, 1), Vec2.ZERO, peg, NEVER).orElseThrow();
     assertThat(impact.time()).isEqualTo(2);
     assertThat(impact.feature()).isEqualTo(Feature.CIRCLE);
-    assertThat(impact.kind()).isEqualTo(ObstacleKind.PEG);
+    assertThat(impact.kind()).isEqualTo(Kind.PEG);
     assertThat(impact.point()).isEqualTo(new Vec2(5, 0));
     Impact rising =
         SweptCircle.cast(new Circle(5, 5, 1), Vec2.ZERO, G, peg, new Vec2(0, 3), NEVER)
@@ -71,7 +71,7 @@ class SweptCircleParabolaTest {
     assertThat(rising.time()).isEqualTo(1);
     assertThat(rising.approachSpeed()).isEqualTo(5);
     assertThat(rising.point()).isEqualTo(new Vec2(5, 3));
-    assertThat(rising.kind()).isEqualTo(ObstacleKind.CIRCLE);
+    assertThat(rising.kind()).isEqualTo(Kind.CIRCLE);
   }
 
   @Test

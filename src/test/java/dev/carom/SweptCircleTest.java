@@ -33,8 +33,7 @@ class SweptCircleTest {
       double nx,
       double ny,
       double speed) {
-    return new Impact(
-        t, ObstacleKind.LINE, -1, line, feature, new Vec2(x, y), new Vec2(nx, ny), speed);
+    return new Impact(t, Kind.LINE, -1, line, feature, new Vec2(x, y), new Vec2(nx, ny), speed);
   }
 
   // The six edge cases of the article.

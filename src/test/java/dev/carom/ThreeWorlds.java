@@ -104,15 +104,15 @@ final class ThreeWorlds {
    * as if it began there.
    */
   private void ask() {
-    int id = random.nextInt(world.idLimit(ObstacleKind.CIRCLE));
-    if (!world.contains(ObstacleKind.CIRCLE, id) || !isWithinRange(id)) {
+    int id = random.nextInt(world.idLimit(Kind.CIRCLE));
+    if (!world.contains(Kind.CIRCLE, id) || !isWithinRange(id)) {
       return;
     }
     double radius = random.nextInt(3) == 0 ? 0 : world.radius(id);
     Circle circle = new Circle(world.x(id), world.y(id), radius);
     Vec2 v = new Vec2(world.vx(id), world.vy(id));
-    int category = world.category(ObstacleKind.CIRCLE, id);
-    int mask = world.mask(ObstacleKind.CIRCLE, id);
+    int category = world.category(Kind.CIRCLE, id);
+    int mask = world.mask(Kind.CIRCLE, id);
     double maxTime = Double.POSITIVE_INFINITY;
     Optional<Impact> first = world.cast(circle, v, maxTime, category, mask);
     assertThat(twin.cast(circle, v, maxTime, category, mask)).isEqualTo(first);
@@ -152,8 +152,8 @@ final class ThreeWorlds {
 
   private static List<Run.State> states(World world) {
     List<Run.State> states = new ArrayList<>();
-    for (int i = 0; i < world.idLimit(ObstacleKind.CIRCLE); i++) {
-      if (world.contains(ObstacleKind.CIRCLE, i)) {
+    for (int i = 0; i < world.idLimit(Kind.CIRCLE); i++) {
+      if (world.contains(Kind.CIRCLE, i)) {
         states.add(new Run.State(world.x(i), world.y(i), world.vx(i), world.vy(i)));
       }
     }

@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: Apache-2.0
 package dev.carom;
 
-import static dev.carom.ObstacleKind.CIRCLE;
+import static dev.carom.Kind.CIRCLE;
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.assertThatThrownBy;
 
 import dev.carom.internal.state.Codes;
 import dev.carom.internal.state.EngineOptions;
-import dev.carom.internal.util.Kind;
+import dev.carom.internal.util.KindNumber;
 import java.util.List;
 import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
@@ -47,7 +47,7 @@ class TimelineTest {
     Run.step(world, 100);
     assertThat(timeline.start()).isEqualTo(102);
     assertThat(timeline.end()).isEqualTo(105);
-    assertThat(timeline.contains(ObstacleKind.CIRCLE, 0, Math.nextDown(102.0))).isFalse();
+    assertThat(timeline.contains(Kind.CIRCLE, 0, Math.nextDown(102.0))).isFalse();
     assertThat(timeline.x(0, 102)).isEqualTo(5);
     assertThat(timeline.x(0, 103)).isEqualTo(1);
     assertThat(timeline.x(0, 104.5)).isEqualTo(7);
@@ -88,13 +88,13 @@ class TimelineTest {
     Timeline timeline = world.record(9);
     Run.step(world, 1);
     for (double t : new double[] {2.5, -1, Double.NaN, Double.POSITIVE_INFINITY}) {
-      assertThat(timeline.contains(ObstacleKind.CIRCLE, 0, t)).isFalse();
+      assertThat(timeline.contains(Kind.CIRCLE, 0, t)).isFalse();
       assertThatThrownBy(() -> timeline.x(0, t))
           .isInstanceOf(IllegalArgumentException.class)
           .hasMessage("t is %s: expected a time of the recording, from 1.0 to 2.0".formatted(t));
     }
     for (int id : new int[] {-1, 1, Integer.MAX_VALUE}) {
-      assertThat(timeline.contains(ObstacleKind.CIRCLE, id, 1.5)).isFalse();
+      assertThat(timeline.contains(Kind.CIRCLE, id, 1.5)).isFalse();
       assertThatThrownBy(() -> timeline.vy(id, 1.5))
           .isInstanceOf(IllegalArgumentException.class)
           .hasMessage("circle " + id + " is unknown at 1.5: expected one that was there then");
@@ -127,7 +127,7 @@ class TimelineTest {
     world.stopRecording();
     Run.step(world, 3);
     assertThat(first.end()).isEqualTo(1);
-    assertThat(first.contains(ObstacleKind.CIRCLE, 0, 3)).isFalse();
+    assertThat(first.contains(Kind.CIRCLE, 0, 3)).isFalse();
     Timeline second = world.record(9);
     Run.step(world, 1);
     assertThat(first.end()).isEqualTo(1);
@@ -156,21 +156,21 @@ class TimelineTest {
     Timeline timeline = world.record(9);
     Run.step(world, 1);
     assertThat(timeline.peg(1, 0.5)).isEqualTo(new Circle(7, 7, 2));
-    assertThat(timeline.contains(ObstacleKind.PEG, 1, 0.5)).isTrue();
-    assertThat(timeline.contains(ObstacleKind.PEG, 1, 1.5)).isFalse();
-    assertThat(timeline.contains(ObstacleKind.WALL, 0, 0.5)).as("no bounds").isFalse();
-    assertThat(timeline.contains(ObstacleKind.LINE, Codes.limit(Kind.LINE), 0.5)).isFalse();
-    assertThatThrownBy(() -> timeline.line(Codes.limit(Kind.LINE), 0.5))
+    assertThat(timeline.contains(Kind.PEG, 1, 0.5)).isTrue();
+    assertThat(timeline.contains(Kind.PEG, 1, 1.5)).isFalse();
+    assertThat(timeline.contains(Kind.WALL, 0, 0.5)).as("no bounds").isFalse();
+    assertThat(timeline.contains(Kind.LINE, Codes.limit(KindNumber.LINE), 0.5)).isFalse();
+    assertThatThrownBy(() -> timeline.line(Codes.limit(KindNumber.LINE), 0.5))
         .isInstanceOf(IllegalArgumentException.class)
         .hasMessage(
             "line "
-                + Codes.limit(Kind.LINE)
+                + Codes.limit(KindNumber.LINE)
                 + " is unknown at 0.5: expected one that was there then");
-    assertThat(timeline.contains(ObstacleKind.LINE, -1, 0.5)).isFalse();
+    assertThat(timeline.contains(Kind.LINE, -1, 0.5)).isFalse();
     assertThatThrownBy(() -> timeline.line(-1, 0.5))
         .isInstanceOf(IllegalArgumentException.class)
         .hasMessage("line " + -1 + " is unknown at 0.5: expected one that was there then");
-    assertThat(timeline.contains(ObstacleKind.PEG, -1, 0.5)).isFalse();
+    assertThat(timeline.contains(Kind.PEG, -1, 0.5)).isFalse();
     assertThatThrownBy(() -> timeline.peg(-1, 0.5))
         .isInstanceOf(IllegalArgumentException.class)
         .hasMessage("peg " + -1 + " is unknown at 0.5: expected one that was there then");
@@ -219,9 +219,9 @@ class TimelineTest {
     World world = turnover(collide, 200, past);
     assertThat(past[0].start()).isEqualTo(196);
     for (int id = 196; id < 200; id++) {
-      assertThat(past[0].contains(ObstacleKind.CIRCLE, id, id + 0.5)).isTrue();
+      assertThat(past[0].contains(Kind.CIRCLE, id, id + 0.5)).isTrue();
     }
-    assertThat(past[0].contains(ObstacleKind.CIRCLE, 195, 195.5)).isFalse();
+    assertThat(past[0].contains(Kind.CIRCLE, 195, 195.5)).isFalse();
     assertThatThrownBy(() -> past[0].x(195, 195.5)).hasMessageContaining("from 196.0");
     assertThat(world.circleCount()).isEqualTo(10);
   }
@@ -262,19 +262,19 @@ class TimelineTest {
     World world = new World(Scene.builder().line(0, 0, 1, 0).peg(5, 5, 1).build());
     Timeline timeline = world.record(3);
     Run.step(world, 1);
-    world.remove(ObstacleKind.LINE, 0);
+    world.remove(Kind.LINE, 0);
     for (int i = 1; i <= 10; i++) {
       int line = world.addLine(0, i, 1, i);
       Run.step(world, 1);
-      world.remove(ObstacleKind.LINE, line);
+      world.remove(Kind.LINE, line);
     }
     // The seventh line was removed at time 8.
     assertThat(timeline.start()).isEqualTo(8);
-    assertThat(timeline.contains(ObstacleKind.LINE, 0, 8)).isFalse();
+    assertThat(timeline.contains(Kind.LINE, 0, 8)).isFalse();
     assertThatThrownBy(() -> timeline.line(0, 8))
         .isInstanceOf(IllegalArgumentException.class)
         .hasMessage("line " + 0 + " is unknown at 8.0: expected one that was there then");
-    assertThat(timeline.contains(ObstacleKind.LINE, 7, 8)).isFalse();
+    assertThat(timeline.contains(Kind.LINE, 7, 8)).isFalse();
     assertThatThrownBy(() -> timeline.line(7, 8))
         .isInstanceOf(IllegalArgumentException.class)
         .hasMessage("line " + 7 + " is unknown at 8.0: expected one that was there then");
@@ -293,7 +293,7 @@ class TimelineTest {
     int rounds = 500_000;
     long before = usedMemory();
     for (int i = 0; i < rounds; i++) {
-      world.remove(ObstacleKind.LINE, world.addLine(0, 1, 2, 3));
+      world.remove(Kind.LINE, world.addLine(0, 1, 2, 3));
       Run.step(world, 1);
     }
     assertThat(usedMemory() - before).isLessThan(120L * rounds);

@@ -27,7 +27,7 @@ class TrajectoryTest {
   private static Impact post(double time, double x, double normal) {
     return new Impact(
         time,
-        ObstacleKind.PEG,
+        Kind.PEG,
         0,
         new Endpoint(x, 1),
         Feature.CIRCLE,

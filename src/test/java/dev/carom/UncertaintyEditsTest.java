@@ -131,8 +131,8 @@ class UncertaintyEditsTest {
     int peg = addPegBeside();
     int line = addLineBeside();
     assertThat(uncertainty.bound(id)).isFinite();
-    world.remove(ObstacleKind.PEG, peg);
-    world.remove(ObstacleKind.LINE, line);
+    world.remove(Kind.PEG, peg);
+    world.remove(Kind.LINE, line);
     assertThat(boundBehind()).isFinite();
   }
 
@@ -154,20 +154,20 @@ class UncertaintyEditsTest {
   @Test
   void filtersCount() {
     int peg = addPegBeside();
-    world.setFilter(ObstacleKind.PEG, peg, 2, 2);
+    world.setFilter(Kind.PEG, peg, 2, 2);
     assertThat(boundBehind()).isFinite();
   }
 
   @Test
   void filtersOfTheCircleCount() {
     addPegBeside();
-    world.setFilter(ObstacleKind.CIRCLE, id, 2, 2);
+    world.setFilter(Kind.CIRCLE, id, 2, 2);
     assertThat(boundBehind()).isFinite();
   }
 
   @Test
   void aSensorIsNotHit() {
-    world.setResponse(ObstacleKind.PEG, addPegBeside(), Response.SENSOR);
+    world.setResponse(Kind.PEG, addPegBeside(), Response.SENSOR);
     assertThat(boundBehind()).isFinite();
   }
 

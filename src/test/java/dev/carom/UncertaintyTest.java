@@ -140,7 +140,7 @@ class UncertaintyTest {
     World world = new World(billiard().build());
     Uncertainty uncertainty = new Uncertainty(world, 1);
     world.advanceTo(60);
-    world.remove(ObstacleKind.CIRCLE, 0);
+    world.remove(Kind.CIRCLE, 0);
     uncertainty.update();
     assertThatThrownBy(() -> uncertainty.bound(0)).isInstanceOf(IndexOutOfBoundsException.class);
     assertThat(uncertainty.bound(1)).isFinite();
@@ -170,7 +170,7 @@ class UncertaintyTest {
   void movingObstaclesMakeAllUnknown() {
     World world = new World(billiard().build());
     Uncertainty uncertainty = new Uncertainty(world, 1);
-    world.setVelocity(ObstacleKind.PEG, 0, 0.1, 0);
+    world.setVelocity(Kind.PEG, 0, 0.1, 0);
     assertThat(uncertainty.bound(0)).isInfinite();
     advance(world, uncertainty, 1);
     assertThat(uncertainty.bound(1)).isInfinite();
@@ -180,7 +180,7 @@ class UncertaintyTest {
   void anObstacleThatIsToldToStayIsOneAtRest() {
     World world = new World(billiard().build());
     Uncertainty uncertainty = new Uncertainty(world, 1);
-    world.setVelocity(ObstacleKind.PEG, 0, 0, 0);
+    world.setVelocity(Kind.PEG, 0, 0, 0);
     uncertainty.restart(0);
     assertThat(uncertainty.bound(0)).isFinite();
     advance(world, uncertainty, 1);

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
 package dev.carom;
 
-import static dev.carom.ObstacleKind.CIRCLE;
-import static dev.carom.ObstacleKind.LINE;
-import static dev.carom.ObstacleKind.PEG;
-import static dev.carom.ObstacleKind.WALL;
+import static dev.carom.Kind.CIRCLE;
+import static dev.carom.Kind.LINE;
+import static dev.carom.Kind.PEG;
+import static dev.carom.Kind.WALL;
 import static org.assertj.core.api.Assertions.assertThat;
 
 import java.util.List;
@@ -27,7 +27,7 @@ class WorldEditTest {
   }
 
   /** The times of impacts with one kind until a given time. */
-  private static List<Double> times(World world, ObstacleKind kind, double end) {
+  private static List<Double> times(World world, Kind kind, double end) {
     return Run.advance(world, end).impacts().stream()
         .filter(row -> row.kind() == kind)
         .map(Run.Row::time)
@@ -77,7 +77,7 @@ class WorldEditTest {
     assertTraits(world, CIRCLE, 0, 2, Response.BOUNCE);
     assertThat(world.oneWay(0)).isTrue();
 
-    for (ObstacleKind kind : ObstacleKind.values()) {
+    for (Kind kind : Kind.values()) {
       world.setRestitution(kind, 0, 0.75 + kind.ordinal());
       world.setResponse(kind, 0, kind == PEG ? Response.BOUNCE : Response.HALT);
     }
@@ -101,7 +101,7 @@ class WorldEditTest {
     assertThat(world.scene().oneWay(0)).isTrue();
   }
 
-  private static void assertTraits(World world, ObstacleKind kind, int id, double e, Response r) {
+  private static void assertTraits(World world, Kind kind, int id, double e, Response r) {
     assertThat(world.restitution(kind, id)).isEqualTo(e);
     assertThat(world.response(kind, id)).isEqualTo(r);
   }

@@ -121,7 +121,7 @@ class WorldQueriesTest {
       double T = i % 2 == 0 ? NEVER : 200 * random.nextDouble();
       Optional<Impact> first = world.cast(circle, v, T);
       assertThat(first).isEqualTo(earliest(world, scene, circle, v, T));
-      circles += first.filter(hit -> hit.kind() == ObstacleKind.CIRCLE).isPresent() ? 1 : 0;
+      circles += first.filter(hit -> hit.kind() == Kind.CIRCLE).isPresent() ? 1 : 0;
     }
     assertThat(circles).isGreaterThan(200);
     assertThat(world.now()).isEqualTo(7);
@@ -133,15 +133,15 @@ class WorldQueriesTest {
     List<Impact> all = new ArrayList<>();
     scene.bounds().flatMap(b -> SweptCircle.cast(circle, v, b, T)).ifPresent(all::add);
     for (int i = 0; i < scene.lineCount(); i++) {
-      add(all, SweptCircle.cast(circle, v, scene.line(i), T), ObstacleKind.LINE, i);
+      add(all, SweptCircle.cast(circle, v, scene.line(i), T), Kind.LINE, i);
     }
     for (int i = 0; i < scene.pegCount(); i++) {
-      add(all, SweptCircle.cast(circle, v, scene.peg(i), T), ObstacleKind.PEG, i);
+      add(all, SweptCircle.cast(circle, v, scene.peg(i), T), Kind.PEG, i);
     }
     for (int i = 0; i < world.circleCount(); i++) {
       Circle other = new Circle(world.x(i), world.y(i), world.radius(i));
       Vec2 u = new Vec2(world.vx(i), world.vy(i));
-      add(all, SweptCircle.cast(circle, v, other, u, T), ObstacleKind.CIRCLE, i);
+      add(all, SweptCircle.cast(circle, v, other, u, T), Kind.CIRCLE, i);
     }
     Impact first = null;
     for (Impact impact : all) {
@@ -150,12 +150,12 @@ class WorldQueriesTest {
     return Optional.ofNullable(first);
   }
 
-  private static void add(List<Impact> all, Optional<Impact> impact, ObstacleKind kind, int id) {
+  private static void add(List<Impact> all, Optional<Impact> impact, Kind kind, int id) {
     impact.map(hit -> named(hit, kind, id)).ifPresent(all::add);
   }
 
   /** The same impact with a thing under its id. */
-  static Impact named(Impact hit, ObstacleKind kind, int id) {
+  static Impact named(Impact hit, Kind kind, int id) {
     return new Impact(
         hit.time(),
         kind,
@@ -174,7 +174,7 @@ class WorldQueriesTest {
     Vec2 v = new Vec2(1, 0);
     assertThat(new World(scene.build()).cast(asked, v, 50)).isEmpty();
     Impact hit = new World(scene.collide(true).build()).cast(asked, v, 50).orElseThrow();
-    assertThat(hit.kind()).isEqualTo(ObstacleKind.CIRCLE);
+    assertThat(hit.kind()).isEqualTo(Kind.CIRCLE);
     assertThat(hit.time()).isEqualTo(20);
   }
 
@@ -182,7 +182,7 @@ class WorldQueriesTest {
   void aCircleOfTheWorldCanBeAskedFor() {
     World world = new World(room().collide(true).circle(20, 50, 5, 1, 0).build());
     assertThat(world.cast(new Circle(20, 50, 5), new Vec2(1, 0), NEVER).orElseThrow().kind())
-        .isEqualTo(ObstacleKind.WALL);
+        .isEqualTo(Kind.WALL);
   }
 
   // Paths.
@@ -255,7 +255,7 @@ class WorldQueriesTest {
     ImpactLog log = world.impacts();
     assertThat(log.size()).isOne();
     assertThat(log.circle(0)).isZero();
-    assertThat(log.kind(0)).isEqualTo(ObstacleKind.CIRCLE);
+    assertThat(log.kind(0)).isEqualTo(Kind.CIRCLE);
     assertThat(log.id(0)).isOne();
   }
 
@@ -267,17 +267,17 @@ class WorldQueriesTest {
     scene.peg(80, 50, 2).circle(30, 80, 5, 1, 0).circle(60, 80, 5, 0, 0);
     World world = new World(scene.build());
     Run.step(world, 10);
-    assertThat(world.nearest(ObstacleKind.LINE, 15, 19)).isZero();
-    assertThat(world.nearest(ObstacleKind.LINE, 15, 20)).as("equally near").isZero();
-    assertThat(world.nearest(ObstacleKind.LINE, 15, 21)).isEqualTo(1);
-    assertThat(world.nearest(ObstacleKind.PEG, 68, 50)).isZero();
-    assertThat(world.nearest(ObstacleKind.PEG, 70, 50)).isEqualTo(1);
-    assertThat(world.nearest(ObstacleKind.CIRCLE, 49, 80)).isZero();
-    assertThat(world.nearest(ObstacleKind.CIRCLE, 51, 80)).isEqualTo(1);
-    assertThat(world.nearest(ObstacleKind.WALL, 50, 90)).isEqualTo(Codes.TOP);
-    assertThat(world.nearest(ObstacleKind.WALL, 3, 90)).isEqualTo(Codes.LEFT);
+    assertThat(world.nearest(Kind.LINE, 15, 19)).isZero();
+    assertThat(world.nearest(Kind.LINE, 15, 20)).as("equally near").isZero();
+    assertThat(world.nearest(Kind.LINE, 15, 21)).isEqualTo(1);
+    assertThat(world.nearest(Kind.PEG, 68, 50)).isZero();
+    assertThat(world.nearest(Kind.PEG, 70, 50)).isEqualTo(1);
+    assertThat(world.nearest(Kind.CIRCLE, 49, 80)).isZero();
+    assertThat(world.nearest(Kind.CIRCLE, 51, 80)).isEqualTo(1);
+    assertThat(world.nearest(Kind.WALL, 50, 90)).isEqualTo(Codes.TOP);
+    assertThat(world.nearest(Kind.WALL, 3, 90)).isEqualTo(Codes.LEFT);
     World empty = new World(Scene.builder().build());
-    for (ObstacleKind kind : ObstacleKind.values()) {
+    for (Kind kind : Kind.values()) {
       assertThat(empty.nearest(kind, 0, 0)).isEqualTo(-1);
     }
   }
@@ -302,10 +302,10 @@ class WorldQueriesTest {
     assertThatThrownBy(() -> world.trace(circle, Vec2.ZERO, 1, 1, -1))
         .isInstanceOf(IllegalArgumentException.class)
         .hasMessageContaining("impacts is -1: expected at least 0");
-    assertThatThrownBy(() -> world.nearest(ObstacleKind.LINE, Double.NaN, 0))
+    assertThatThrownBy(() -> world.nearest(Kind.LINE, Double.NaN, 0))
         .isInstanceOf(IllegalArgumentException.class)
         .hasMessageContaining("x is NaN");
-    assertThatThrownBy(() -> world.nearest(ObstacleKind.LINE, 0, Double.NaN))
+    assertThatThrownBy(() -> world.nearest(Kind.LINE, 0, Double.NaN))
         .isInstanceOf(IllegalArgumentException.class)
         .hasMessageContaining("y is NaN");
   }
@@ -315,7 +315,7 @@ class WorldQueriesTest {
   /** So many questions that later ones use an index. */
   private static void askOften(World world) {
     for (int i = 0; i < 1_000; i++) {
-      world.nearest(ObstacleKind.PEG, i % 100, 50);
+      world.nearest(Kind.PEG, i % 100, 50);
       world.cast(new Circle(i % 100, 50, 0.5), new Vec2(0, 1), 1);
     }
   }
@@ -332,21 +332,21 @@ class WorldQueriesTest {
     }
     World world = new World(scene.build());
     askOften(world);
-    assertThat(world.nearest(ObstacleKind.PEG, 4, 4)).isZero();
+    assertThat(world.nearest(Kind.PEG, 4, 4)).isZero();
     assertThat(hit(world, 5)).isEqualTo(-1);
     int added = world.addPeg(5, 5, 2);
-    assertThat(world.nearest(ObstacleKind.PEG, 4, 4)).isEqualTo(added);
+    assertThat(world.nearest(Kind.PEG, 4, 4)).isEqualTo(added);
     assertThat(hit(world, 5)).isEqualTo(added);
     world.movePeg(added, 15, 5, 2);
-    assertThat(world.nearest(ObstacleKind.PEG, 4, 4)).isZero();
+    assertThat(world.nearest(Kind.PEG, 4, 4)).isZero();
     assertThat(hit(world, 5)).isEqualTo(-1);
     assertThat(hit(world, 15)).isEqualTo(added);
-    world.remove(ObstacleKind.PEG, added);
+    world.remove(Kind.PEG, added);
     assertThat(hit(world, 15)).isEqualTo(-1);
     askOften(world);
-    world.setVelocity(ObstacleKind.PEG, 0, 1, 0);
+    world.setVelocity(Kind.PEG, 0, 1, 0);
     world.step(5);
-    assertThat(world.nearest(ObstacleKind.PEG, 4, 4)).isZero();
+    assertThat(world.nearest(Kind.PEG, 4, 4)).isZero();
     assertThat(hit(world, 0)).as("the peg above it").isEqualTo(10);
   }
 }

@@ -83,7 +83,7 @@ class WorldTest {
     assertThat(log.size()).isEqualTo(1);
     assertThat(log.time(0)).isEqualTo(2);
     assertThat(log.circle(0)).isZero();
-    assertThat(log.kind(0)).isEqualTo(ObstacleKind.LINE);
+    assertThat(log.kind(0)).isEqualTo(Kind.LINE);
     assertThat(log.id(0)).isZero();
     assertThat(log.feature(0)).isEqualTo(Feature.SIDE);
     assertThat(log.x(0)).isCloseTo(2, within(1e-14));
@@ -350,7 +350,7 @@ class WorldTest {
             tuple(9.0, 1),
             tuple(9.0, 2));
     assertThat(Run.rows(world.impacts()))
-        .allMatch(row -> row.kind() == ObstacleKind.WALL && row.feature() == Feature.SIDE);
+        .allMatch(row -> row.kind() == Kind.WALL && row.feature() == Feature.SIDE);
   }
 
   @Test
@@ -401,7 +401,7 @@ class WorldTest {
   void aWorldTellsWhatIsThereAndWhen() {
     SceneBuilder scene = Scene.builder().bounds(0, 0, 9, 8).collide(true).line(1, 2, 3, 4);
     World world = new World(scene.peg(5, 5, 1).peg(6, 5, 1).circle(7, 2, 1, 2, 0).build());
-    world.remove(ObstacleKind.PEG, 0);
+    world.remove(Kind.PEG, 0);
     world.addCircle(2, 7, 0.5, 0, 0);
     Run.step(world, 1.5);
     assertThat(world)

@@ -8,9 +8,9 @@ import dev.carom.Endpoint;
 import dev.carom.Feature;
 import dev.carom.Impact;
 import dev.carom.ImpactLog;
+import dev.carom.Kind;
 import dev.carom.Line;
 import dev.carom.Obstacle;
-import dev.carom.ObstacleKind;
 import dev.carom.Resolver;
 import dev.carom.Response;
 import dev.carom.Scene;
@@ -120,7 +120,7 @@ final class BadArguments {
               () -> new Object[] {BOX, new Bounds(-1e308, -1e308, 1e308, 1e308), null}),
           Map.entry(
               Obstacle.class, () -> new Object[] {LINE, CIRCLE, BOX, new Endpoint(1e308, 0), null}),
-          Map.entry(ObstacleKind.class, () -> withNull(ObstacleKind.values())),
+          Map.entry(Kind.class, () -> withNull(Kind.values())),
           Map.entry(Feature.class, () -> withNull(Feature.values())),
           Map.entry(Response.class, () -> withNull(Response.values())),
           Map.entry(

@@ -38,9 +38,9 @@ class IdentityTest {
           synchronized (one) { one.notifyAll(); }
           new IdentityHashMap<World, Vec2>();
           return a == null || one == other || a.x() == 1 || a.equals(null)
-              || kinds.kind == ObstacleKind.PEG;
+              || kinds.kind == Kind.PEG;
         }
-        record Kinds(ObstacleKind kind) {}
+        record Kinds(Kind kind) {}
       }
       """;
 

@@ -6,7 +6,7 @@ import static org.assertj.core.api.Assertions.within;
 
 import dev.carom.Circle;
 import dev.carom.ImpactLog;
-import dev.carom.ObstacleKind;
+import dev.carom.Kind;
 import dev.carom.Scene;
 import dev.carom.SceneBuilder;
 import dev.carom.Snapshot;
@@ -81,7 +81,7 @@ class ExtremeWorldsTest {
 
   private static double fastest(World world) {
     double fastest = Double.MIN_NORMAL;
-    for (int id = 0; id < world.idLimit(ObstacleKind.CIRCLE); id++) {
+    for (int id = 0; id < world.idLimit(Kind.CIRCLE); id++) {
       fastest = Math.max(fastest, Math.max(Math.abs(world.vx(id)), Math.abs(world.vy(id))));
     }
     return fastest;
@@ -105,7 +105,7 @@ class ExtremeWorldsTest {
         default -> {
           Circle circle = new Circle(e.any(), e.any(), e.size());
           assertThat(world.cast(circle, new Vec2(e.any(), e.any()), e.window())).isNotNull();
-          assertThat(world.overlapping(ObstacleKind.LINE, circle)).isNotNull();
+          assertThat(world.overlapping(Kind.LINE, circle)).isNotNull();
         }
       }
       return true;

@@ -5,7 +5,7 @@ import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.within;
 
 import dev.carom.ImpactLog;
-import dev.carom.ObstacleKind;
+import dev.carom.Kind;
 import dev.carom.Outcome;
 import dev.carom.Scene;
 import dev.carom.SceneBuilder;
@@ -58,7 +58,7 @@ class InfiniteMassTest {
     assertThat(world.advanceTo(50)).isTrue();
     int meetings = 0;
     for (int i = 0; i < world.impacts().size(); i++) {
-      meetings += world.impacts().kind(i) == ObstacleKind.CIRCLE ? 1 : 0;
+      meetings += world.impacts().kind(i) == Kind.CIRCLE ? 1 : 0;
     }
     assertThat(meetings).isPositive();
   }

@@ -4,7 +4,7 @@ package dev.carom.stability;
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.assertThatThrownBy;
 
-import dev.carom.ObstacleKind;
+import dev.carom.Kind;
 import dev.carom.Response;
 import dev.carom.Scene;
 import dev.carom.SceneBuilder;
@@ -45,15 +45,15 @@ class NothingHalfDoneTest {
             () -> world.setVelocity(0, 8, NAN),
             () -> world.setRadius(0, 0),
             () -> world.setMass(0, 0),
-            () -> world.setRestitution(ObstacleKind.LINE, 0, -1),
-            () -> world.setResponse(ObstacleKind.WALL, 0, Response.SENSOR),
+            () -> world.setRestitution(Kind.LINE, 0, -1),
+            () -> world.setResponse(Kind.WALL, 0, Response.SENSOR),
             () -> world.moveLine(0, 1, 1, 2, NAN),
             () -> world.movePeg(0, 1, 1, -1),
             () -> world.addLine(1, 1, 2, 1e300),
             () -> world.addPeg(1, NAN, 1),
             () -> world.addCircle(1, 1, 1e-20, 1, 1),
-            () -> world.remove(ObstacleKind.WALL, 0),
-            () -> world.remove(ObstacleKind.LINE, 7),
+            () -> world.remove(Kind.WALL, 0),
+            () -> world.remove(Kind.LINE, 7),
             () -> world.record(-1),
             () -> world.restore(other),
             () -> world.x(7));

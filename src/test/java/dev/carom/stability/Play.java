@@ -5,8 +5,8 @@ import static org.assertj.core.api.Assertions.assertThat;
 
 import dev.carom.Feature;
 import dev.carom.ImpactLog;
+import dev.carom.Kind;
 import dev.carom.Line;
-import dev.carom.ObstacleKind;
 import dev.carom.Outcome;
 import dev.carom.Scene;
 import dev.carom.SceneBuilder;
@@ -23,7 +23,7 @@ final class Play {
   record Hit(
       double time,
       int circle,
-      ObstacleKind kind,
+      Kind kind,
       int obstacle,
       Feature feature,
       double speed,
@@ -83,8 +83,8 @@ final class Play {
 
   static List<State> states(World world) {
     List<State> states = new ArrayList<>();
-    for (int id = 0; id < world.idLimit(ObstacleKind.CIRCLE); id++) {
-      if (world.contains(ObstacleKind.CIRCLE, id)) {
+    for (int id = 0; id < world.idLimit(Kind.CIRCLE); id++) {
+      if (world.contains(Kind.CIRCLE, id)) {
         states.add(new State(world.x(id), world.y(id), world.vx(id), world.vy(id)));
       }
     }

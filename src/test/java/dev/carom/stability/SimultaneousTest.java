@@ -8,8 +8,8 @@ import static org.assertj.core.api.Assertions.within;
 
 import dev.carom.Circle;
 import dev.carom.Energy;
+import dev.carom.Kind;
 import dev.carom.Line;
-import dev.carom.ObstacleKind;
 import dev.carom.Scene;
 import dev.carom.SceneBuilder;
 import dev.carom.Vec2;
@@ -45,7 +45,7 @@ class SimultaneousTest {
     assertThat(hits)
         .extracting(Play.Hit::kind)
         .as("no approach to the peg is left")
-        .containsExactly(ObstacleKind.WALL, ObstacleKind.LINE);
+        .containsExactly(Kind.WALL, Kind.LINE);
     Play.assertState(world, 0, 5, 5, 2, 2);
   }
 

@@ -4,7 +4,7 @@ package dev.carom.stability;
 import static org.assertj.core.api.Assertions.assertThat;
 
 import dev.carom.ImpactLog;
-import dev.carom.ObstacleKind;
+import dev.carom.Kind;
 import dev.carom.Outcome;
 import dev.carom.Run;
 import dev.carom.Scene;
@@ -67,7 +67,7 @@ class TrappedTest {
   void anEditOfItsSurroundingsLetsItGo() {
     World world = new World(triangle().build());
     Run.step(world, 1);
-    world.remove(ObstacleKind.LINE, 1);
+    world.remove(Kind.LINE, 1);
     world.setVelocity(0, -3, 1);
     assertThat(world.step(10)).isTrue();
     assertThat(world.x(0)).isLessThan(-20);

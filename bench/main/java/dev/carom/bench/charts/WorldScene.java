@@ -3,8 +3,8 @@ package dev.carom.bench.charts;
 
 import dev.carom.Bounds;
 import dev.carom.Circle;
+import dev.carom.Kind;
 import dev.carom.Line;
-import dev.carom.ObstacleKind;
 import dev.carom.Scene;
 import dev.carom.SceneBuilder;
 import dev.carom.Timeline;
@@ -31,13 +31,13 @@ public final class WorldScene {
   public static Scene of(World world) {
     WorldScene now = new WorldScene(world);
     now.whole();
-    for (int id : world.ids(ObstacleKind.LINE)) {
+    for (int id : world.ids(Kind.LINE)) {
       now.line(id, world.line(id));
     }
-    for (int id : world.ids(ObstacleKind.PEG)) {
+    for (int id : world.ids(Kind.PEG)) {
       now.peg(id, world.peg(id));
     }
-    for (int id : world.ids(ObstacleKind.CIRCLE)) {
+    for (int id : world.ids(Kind.CIRCLE)) {
       now.circle(id);
     }
     return now.builder.build();
@@ -63,14 +63,14 @@ public final class WorldScene {
     if (bounds.isPresent()) {
       Bounds b = bounds.get();
       builder.bounds(b.xmin(), b.ymin(), b.xmax(), b.ymax());
-      keep(ObstacleKind.WALL, 0);
+      keep(Kind.WALL, 0);
     }
   }
 
   private void line(int id, Line line) {
     builder.line(line.ax(), line.ay(), line.bx(), line.by());
-    keep(ObstacleKind.LINE, id);
-    keepVelocity(ObstacleKind.LINE, id);
+    keep(Kind.LINE, id);
+    keepVelocity(Kind.LINE, id);
     if (world.oneWay(id)) {
       builder.oneWay();
     }
@@ -78,8 +78,8 @@ public final class WorldScene {
 
   private void peg(int id, Circle peg) {
     builder.peg(peg.x(), peg.y(), peg.radius());
-    keep(ObstacleKind.PEG, id);
-    keepVelocity(ObstacleKind.PEG, id);
+    keep(Kind.PEG, id);
+    keepVelocity(Kind.PEG, id);
   }
 
   private void circle(int id) {
@@ -87,17 +87,17 @@ public final class WorldScene {
     double y = world.y(id);
     if (Double.isFinite(x) && Double.isFinite(y)) {
       builder.circle(x, y, world.radius(id), world.vx(id), world.vy(id)).mass(world.mass(id));
-      keep(ObstacleKind.CIRCLE, id);
+      keep(Kind.CIRCLE, id);
     }
   }
 
   /** Gives the thing added last what the world's thing has. */
-  private void keep(ObstacleKind kind, int id) {
+  private void keep(Kind kind, int id) {
     builder.restitution(world.restitution(kind, id)).response(world.response(kind, id));
     builder.filter(world.category(kind, id), world.mask(kind, id));
   }
 
-  private void keepVelocity(ObstacleKind kind, int id) {
+  private void keepVelocity(Kind kind, int id) {
     Vec2 v = world.velocity(kind, id);
     builder.velocity(v.x(), v.y());
   }

@@ -96,7 +96,7 @@ final class FuzzCommand implements Callable<Integer> {
             + " step pushes downwards, or bumpers; or balls under gravity: a fall among slopes and"
             + " pegs, a pile, or plinko (${COMPLETION-CANDIDATES})."
       })
-  private EndScene.Kind kind;
+  private EndScene.Layout kind;
 
   @Option(
       names = "--circles",
@@ -215,17 +215,17 @@ final class FuzzCommand implements Callable<Integer> {
   }
 
   /** Finds a kind of scene by its name. */
-  static final class Kinds implements ITypeConverter<EndScene.Kind> {
+  static final class Kinds implements ITypeConverter<EndScene.Layout> {
     @Override
-    public EndScene.Kind convert(String word) {
-      return Arrays.stream(EndScene.Kind.values())
+    public EndScene.Layout convert(String word) {
+      return Arrays.stream(EndScene.Layout.values())
           .filter(each -> each.toString().equals(word))
           .findFirst()
           .orElseThrow(
               () ->
                   new TypeConversionException(
                       "'%s' is none of %s"
-                          .formatted(word, Arrays.toString(EndScene.Kind.values()))));
+                          .formatted(word, Arrays.toString(EndScene.Layout.values()))));
     }
   }
 }

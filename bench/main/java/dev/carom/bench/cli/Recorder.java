@@ -2,7 +2,7 @@
 package dev.carom.bench.cli;
 
 import dev.carom.ImpactLog;
-import dev.carom.ObstacleKind;
+import dev.carom.Kind;
 import dev.carom.World;
 import java.io.IOException;
 import java.util.List;
@@ -51,8 +51,8 @@ record Recorder(OutputFile positions, OutputFile impacts) {
     }
   }
 
-  private static String obstacle(ObstacleKind kind, int number) {
-    Object which = kind == ObstacleKind.WALL ? WALLS.get(number) : number;
+  private static String obstacle(Kind kind, int number) {
+    Object which = kind == Kind.WALL ? WALLS.get(number) : number;
     return (kind + " " + which).toLowerCase(Locale.ROOT);
   }
 

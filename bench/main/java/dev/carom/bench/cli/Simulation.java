@@ -2,7 +2,7 @@
 package dev.carom.bench.cli;
 
 import dev.carom.ImpactLog;
-import dev.carom.ObstacleKind;
+import dev.carom.Kind;
 import dev.carom.Outcome;
 import dev.carom.Scene;
 import dev.carom.World;
@@ -42,7 +42,7 @@ final class Simulation {
   private void count(ImpactLog log) {
     impacts += log.size();
     for (int row = 0; row < log.size(); row++) {
-      wallImpacts += log.kind(row) == ObstacleKind.WALL ? 1 : 0;
+      wallImpacts += log.kind(row) == Kind.WALL ? 1 : 0;
       jammed += log.outcome(row) == Outcome.JAMMED ? 1 : 0;
       settled += log.outcome(row) == Outcome.SETTLED ? 1 : 0;
     }

@@ -3,7 +3,7 @@ package dev.carom.bench.examples;
 
 import dev.carom.Circle;
 import dev.carom.Impact;
-import dev.carom.ObstacleKind;
+import dev.carom.Kind;
 import dev.carom.Response;
 import dev.carom.Scene;
 import dev.carom.SceneBuilder;
@@ -63,7 +63,7 @@ public final class Billiards implements Example {
 
   @Override
   public void frame() {
-    for (int id : world.ids(ObstacleKind.CIRCLE)) { // the cloth; what is slower stops
+    for (int id : world.ids(Kind.CIRCLE)) { // the cloth; what is slower stops
       double speed = Math.sqrt(world.vx(id) * world.vx(id) + world.vy(id) * world.vy(id));
       double left = speed > 0 ? Math.max(0, 1 - SLOWING / FRAMES / speed) : 0;
       world.setVelocity(id, left * world.vx(id), left * world.vy(id));
@@ -75,12 +75,12 @@ public final class Billiards implements Example {
   private void pocket() {
     for (int row = 0; row < world.impacts().size(); row++) {
       int ball = world.impacts().circle(row);
-      boolean met = world.impacts().kind(row) == ObstacleKind.PEG;
+      boolean met = world.impacts().kind(row) == Kind.PEG;
       if (met && ball == CUE) { // back to the table
         world.setPosition(CUE, LENGTH / 4, WIDTH / 2);
         world.setVelocity(CUE, 0, 0);
-      } else if (met && world.contains(ObstacleKind.CIRCLE, ball)) {
-        world.remove(ObstacleKind.CIRCLE, ball);
+      } else if (met && world.contains(Kind.CIRCLE, ball)) {
+        world.remove(Kind.CIRCLE, ball);
       }
     }
   }
@@ -123,7 +123,7 @@ public final class Billiards implements Example {
   public void draw(Graphics2D g, Rectangle2D area) {
     shown = area;
     Scene now = WorldScene.of(world);
-    int[] ids = world.ids(ObstacleKind.CIRCLE);
+    int[] ids = world.ids(Kind.CIRCLE);
     Still balls = Still.of(now).colored(i -> ids[i] == CUE ? Color.WHITE : COLORS[ids[i] % 4]);
     drawing.withScene(now).draw(g, area, balls);
     target().ifPresent(impact -> aim(g, area, impact));
@@ -138,7 +138,7 @@ public final class Billiards implements Example {
     g.draw(new Line2D.Double(world.x(CUE), world.y(CUE), x, y));
     g.setStroke(Style.line(0.005));
     g.draw(new Ellipse2D.Double(x - RADIUS, y - RADIUS, 2 * RADIUS, 2 * RADIUS));
-    if (impact.obstacle() instanceof Circle ball && impact.kind() == ObstacleKind.CIRCLE) {
+    if (impact.obstacle() instanceof Circle ball && impact.kind() == Kind.CIRCLE) {
       double toX = ball.x() - 0.25 * impact.normal().x();
       double toY = ball.y() - 0.25 * impact.normal().y();
       g.draw(new Line2D.Double(ball.x(), ball.y(), toX, toY));

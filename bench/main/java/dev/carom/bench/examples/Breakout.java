@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 package dev.carom.bench.examples;
 
-import dev.carom.ObstacleKind;
+import dev.carom.Kind;
 import dev.carom.Scene;
 import dev.carom.SceneBuilder;
 import dev.carom.Vec2;
@@ -71,7 +71,7 @@ public final class Breakout implements Example {
 
   private void readLog() {
     for (int row = 0; row < world.impacts().size(); row++) {
-      if (world.impacts().kind(row) == ObstacleKind.LINE) {
+      if (world.impacts().kind(row) == Kind.LINE) {
         hit(world.impacts().id(row));
       } else if (world.impacts().id(row) == 2) { // the wall at the bottom
         lost++;
@@ -93,9 +93,9 @@ public final class Breakout implements Example {
       double vx = SPEED * lean * StrictMath.sqrt(0.75);
       world.setVelocity(BALL, vx, StrictMath.sqrt(SPEED * SPEED - vx * vx));
       returned++;
-    } else if (line < PADDLE && world.contains(ObstacleKind.LINE, line)) { // else hit twice
+    } else if (line < PADDLE && world.contains(Kind.LINE, line)) { // else hit twice
       for (int side = 0; side < SIDES; side++) {
-        world.remove(ObstacleKind.LINE, line / SIDES * SIDES + side);
+        world.remove(Kind.LINE, line / SIDES * SIDES + side);
       }
       bricks--;
     }
@@ -134,7 +134,7 @@ public final class Breakout implements Example {
   public void draw(Graphics2D g, Rectangle2D area) {
     drawing.withScene(WorldScene.of(world)).withArrowTime(0).draw(g, area, Still.of(world));
     for (int i = 0; i < BRICKS; i++) {
-      if (world.contains(ObstacleKind.LINE, i * SIDES)) {
+      if (world.contains(Kind.LINE, i * SIDES)) {
         g.setColor(COLORS[i / COLUMNS]);
         g.fill(drawing.transform(area).createTransformedShape(brick(i)));
       }

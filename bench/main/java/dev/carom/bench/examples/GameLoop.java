@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 package dev.carom.bench.examples;
 
-import dev.carom.ObstacleKind;
+import dev.carom.Kind;
 import dev.carom.Scene;
 import dev.carom.SceneBuilder;
 import dev.carom.Timeline;
@@ -86,7 +86,7 @@ public final class GameLoop implements Example {
   /** Throws all balls up. */
   @Override
   public void press() {
-    for (int id : world.ids(ObstacleKind.CIRCLE)) {
+    for (int id : world.ids(Kind.CIRCLE)) {
       world.setVelocity(id, world.vx(id), -GRAVITY * 0.6);
     }
   }

@@ -2,8 +2,8 @@
 package dev.carom.bench.examples;
 
 import dev.carom.ImpactLog;
+import dev.carom.Kind;
 import dev.carom.Line;
-import dev.carom.ObstacleKind;
 import dev.carom.Scene;
 import dev.carom.Vec2;
 import dev.carom.World;
@@ -67,7 +67,7 @@ public final class Paddle implements Example {
   private void readLog() {
     ImpactLog log = world.impacts();
     for (int row = 0; row < log.size(); row++) {
-      if (log.kind(row) == ObstacleKind.LINE) {
+      if (log.kind(row) == Kind.LINE) {
         returned += log.id(row) == PADDLE ? 1 : 0;
       } else {
         lost += log.nx(row) > 0 ? 1 : 0; // the wall behind the paddle
@@ -81,7 +81,7 @@ public final class Paddle implements Example {
     double x = Math.max(5, Math.min(NET, to.x()));
     double y = Math.max(HALF, Math.min(HEIGHT - HALF, to.y()));
     world.setVelocity(
-        ObstacleKind.LINE, PADDLE, limited(x - now.ax()), limited(y - (now.ay() + now.by()) / 2));
+        Kind.LINE, PADDLE, limited(x - now.ax()), limited(y - (now.ay() + now.by()) / 2));
   }
 
   private static double limited(double v) {

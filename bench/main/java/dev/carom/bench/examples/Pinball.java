@@ -2,7 +2,7 @@
 package dev.carom.bench.examples;
 
 import dev.carom.ImpactLog;
-import dev.carom.ObstacleKind;
+import dev.carom.Kind;
 import dev.carom.Response;
 import dev.carom.Scene;
 import dev.carom.SceneBuilder;
@@ -81,8 +81,8 @@ public final class Pinball implements Example {
       goal = REST;
     }
     double v = Math.max(PULL, Math.min(THROW, goal - height()));
-    if (v != world.velocity(ObstacleKind.LINE, PLUNGER).y()) {
-      world.setVelocity(ObstacleKind.LINE, PLUNGER, 0, v);
+    if (v != world.velocity(Kind.LINE, PLUNGER).y()) {
+      world.setVelocity(Kind.LINE, PLUNGER, 0, v);
     }
   }
 
@@ -93,13 +93,13 @@ public final class Pinball implements Example {
   private void readLog() {
     ImpactLog log = world.impacts();
     for (int row = 0; row < log.size(); row++) {
-      if (log.kind(row) == ObstacleKind.LINE && log.id(row) == DRAIN) {
+      if (log.kind(row) == Kind.LINE && log.id(row) == DRAIN) {
         world.setPosition(BALL, (LANE + WIDTH) / 2, REST + 4 * RADIUS);
         world.setVelocity(BALL, 0, 0);
         lost = world.now();
         balls++;
         return;
-      } else if (log.kind(row) == ObstacleKind.PEG && log.id(row) < BUMPERS.length) {
+      } else if (log.kind(row) == Kind.PEG && log.id(row) < BUMPERS.length) {
         score += 10;
       }
     }

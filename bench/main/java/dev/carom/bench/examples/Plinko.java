@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 package dev.carom.bench.examples;
 
-import dev.carom.ObstacleKind;
+import dev.carom.Kind;
 import dev.carom.Response;
 import dev.carom.Scene;
 import dev.carom.SceneBuilder;
@@ -89,7 +89,7 @@ public final class Plinko implements Example {
     if (frame++ % PAUSE == 0) {
       double x = from + 2 * random.nextDouble() - 1;
       int ball = world.addCircle(x, HEIGHT - BALL - 1, BALL, 0, 0);
-      world.setRestitution(ObstacleKind.CIRCLE, ball, 0.5);
+      world.setRestitution(Kind.CIRCLE, ball, 0.5);
       dropped++;
     }
     Example.advance(world, 1, this::count);
@@ -98,9 +98,9 @@ public final class Plinko implements Example {
   private void count() {
     for (int row = 0; row < world.impacts().size(); row++) {
       int slot = world.impacts().id(row);
-      if (world.impacts().kind(row) == ObstacleKind.LINE && slot < SLOTS) {
+      if (world.impacts().kind(row) == Kind.LINE && slot < SLOTS) {
         counts[slot]++;
-        world.remove(ObstacleKind.CIRCLE, world.impacts().circle(row));
+        world.remove(Kind.CIRCLE, world.impacts().circle(row));
       }
     }
   }
@@ -127,7 +127,7 @@ public final class Plinko implements Example {
     shown = area;
     int most = Math.max(1, Arrays.stream(counts).max().orElse(1));
     Scene now = WorldScene.of(world);
-    int[] ids = world.ids(ObstacleKind.CIRCLE);
+    int[] ids = world.ids(Kind.CIRCLE);
     drawing.withScene(now).draw(g, area, Still.of(now).colored(i -> COLORS.get(ids[i] % 3)));
     Path2D bars = new Path2D.Double();
     for (int slot = 0; slot < SLOTS; slot++) {

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 package dev.carom.bench.examples;
 
-import dev.carom.ObstacleKind;
+import dev.carom.Kind;
 import dev.carom.Scene;
 import dev.carom.World;
 import java.util.ArrayList;
@@ -54,7 +54,7 @@ public final class SplitWorld implements AutoCloseable {
     World part = new World(scene);
     for (int id = 0; id < scene.circleCount(); id++) {
       if (id < from || id >= to) {
-        part.remove(ObstacleKind.CIRCLE, id);
+        part.remove(Kind.CIRCLE, id);
       }
     }
     return part;

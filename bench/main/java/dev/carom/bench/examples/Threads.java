@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 package dev.carom.bench.examples;
 
-import dev.carom.ObstacleKind;
+import dev.carom.Kind;
 import dev.carom.Scene;
 import dev.carom.SceneBuilder;
 import dev.carom.World;
@@ -64,7 +64,7 @@ public final class Threads implements Example {
     for (int k = 0; k < COLORS.size(); k++) {
       g.setColor(Style.veil(COLORS.get(k), 0.6));
       World part = split.parts().get(k);
-      for (int id : part.ids(ObstacleKind.CIRCLE)) {
+      for (int id : part.ids(Kind.CIRCLE)) {
         double r = part.radius(id);
         g.fill(
             map.createTransformedShape(

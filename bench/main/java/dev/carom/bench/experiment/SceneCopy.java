@@ -2,8 +2,8 @@
 package dev.carom.bench.experiment;
 
 import dev.carom.Circle;
+import dev.carom.Kind;
 import dev.carom.Line;
-import dev.carom.ObstacleKind;
 import dev.carom.Scene;
 import dev.carom.SceneBuilder;
 import dev.carom.Vec2;
@@ -21,12 +21,12 @@ public final class SceneCopy {
     Vec2 g = scene.gravity();
     SceneBuilder builder = bounds(scene).collide(scene.collide()).gravity(g.x(), g.y());
     for (int i = 0; i < scene.lineCount(); i++) {
-      line(builder, scene.line(i)).restitution(scene.restitution(ObstacleKind.LINE, i));
+      line(builder, scene.line(i)).restitution(scene.restitution(Kind.LINE, i));
     }
     for (int i = 0; i < scene.pegCount(); i++) {
       Circle peg = scene.peg(i);
       builder.peg(peg.x(), peg.y(), peg.radius());
-      builder.restitution(scene.restitution(ObstacleKind.PEG, i));
+      builder.restitution(scene.restitution(Kind.PEG, i));
     }
     return builder;
   }
@@ -40,7 +40,7 @@ public final class SceneCopy {
             b ->
                 builder
                     .bounds(b.xmin(), b.ymin(), b.xmax(), b.ymax())
-                    .restitution(scene.restitution(ObstacleKind.WALL, 0)));
+                    .restitution(scene.restitution(Kind.WALL, 0)));
     return builder;
   }
 
@@ -69,7 +69,7 @@ public final class SceneCopy {
     double radius = scene.circle(i).radius();
     return builder
         .circle(center.x(), center.y(), radius, velocity.x(), velocity.y())
-        .restitution(scene.restitution(ObstacleKind.CIRCLE, i))
+        .restitution(scene.restitution(Kind.CIRCLE, i))
         .mass(scene.mass(i));
   }
 }

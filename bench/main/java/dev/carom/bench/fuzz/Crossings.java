@@ -2,8 +2,8 @@
 package dev.carom.bench.fuzz;
 
 import dev.carom.Bounds;
+import dev.carom.Kind;
 import dev.carom.Line;
-import dev.carom.ObstacleKind;
 import dev.carom.Response;
 import dev.carom.Vec2;
 import dev.carom.World;
@@ -53,11 +53,11 @@ final class Crossings {
   }
 
   private boolean isSolid(int i, int j) {
-    return world.contains(ObstacleKind.CIRCLE, i)
-        && world.contains(ObstacleKind.CIRCLE, j)
+    return world.contains(Kind.CIRCLE, i)
+        && world.contains(Kind.CIRCLE, j)
         && !isSensor(i)
         && !isSensor(j)
-        && Filters.meet(world, i, ObstacleKind.CIRCLE, j)
+        && Filters.meet(world, i, Kind.CIRCLE, j)
         && Math.min(world.mass(i), world.mass(j)) < Double.POSITIVE_INFINITY;
   }
 
@@ -67,7 +67,7 @@ final class Crossings {
   }
 
   private boolean isSensor(int circle) {
-    return world.response(ObstacleKind.CIRCLE, circle) == Response.SENSOR;
+    return world.response(Kind.CIRCLE, circle) == Response.SENSOR;
   }
 
   private void checkObstacles(Flight f) throws FindingException {

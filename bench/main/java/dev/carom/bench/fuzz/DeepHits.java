@@ -2,7 +2,7 @@
 package dev.carom.bench.fuzz;
 
 import dev.carom.ImpactLog;
-import dev.carom.ObstacleKind;
+import dev.carom.Kind;
 import dev.carom.Outcome;
 import dev.carom.Timeline;
 import dev.carom.World;
@@ -30,7 +30,7 @@ final class DeepHits {
 
   /** Takes all circles for such, after a step that was not looked at. */
   void assumeOf(World world) {
-    deep.set(0, world.idLimit(ObstacleKind.CIRCLE));
+    deep.set(0, world.idLimit(Kind.CIRCLE));
     inStep.or(deep);
   }
 
@@ -43,7 +43,7 @@ final class DeepHits {
       if (log.outcome(row) != Outcome.SENSED) {
         double t = log.time(row);
         int i = log.circle(row);
-        boolean pair = log.kind(row) == ObstacleKind.CIRCLE;
+        boolean pair = log.kind(row) == Kind.CIRCLE;
         double x = pair ? timeline.x(log.id(row), t) : log.x(row);
         double y = pair ? timeline.y(log.id(row), t) : log.y(row);
         double reach = world.radius(i) + (pair ? world.radius(log.id(row)) : 0);

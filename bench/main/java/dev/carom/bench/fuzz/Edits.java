@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 package dev.carom.bench.fuzz;
 
-import dev.carom.ObstacleKind;
+import dev.carom.Kind;
 import dev.carom.Snapshot;
 import dev.carom.Vec2;
 import dev.carom.World;
@@ -59,10 +59,10 @@ final class Edits {
 
   /** The id of a circle, of those that are there; there is always one. */
   private int circle() {
-    return some(ObstacleKind.CIRCLE);
+    return some(Kind.CIRCLE);
   }
 
-  private int some(ObstacleKind kind) {
+  private int some(Kind kind) {
     int end = world.idLimit(kind);
     int first = end == 0 ? 0 : random.nextInt(end);
     for (int i = 0; i < end; i++) {
@@ -83,7 +83,7 @@ final class Edits {
 
   private void moveObstacle() {
     boolean line = random.nextBoolean();
-    int id = some(line ? ObstacleKind.LINE : ObstacleKind.PEG);
+    int id = some(line ? Kind.LINE : Kind.PEG);
     if (id >= 0 && line) {
       world.moveLine(id, numbers.x(), numbers.y(), numbers.x(), numbers.y());
     } else if (id >= 0) {
@@ -92,15 +92,15 @@ final class Edits {
   }
 
   private void remove() {
-    ObstacleKind kind = ObstacleKind.values()[1 + random.nextInt(3)];
+    Kind kind = Kind.values()[1 + random.nextInt(3)];
     int id = some(kind);
-    if (id >= 0 && (kind != ObstacleKind.CIRCLE || world.circleCount() > 1)) {
+    if (id >= 0 && (kind != Kind.CIRCLE || world.circleCount() > 1)) {
       world.remove(kind, id);
     }
   }
 
   private void setRestitution() {
-    ObstacleKind kind = ObstacleKind.values()[random.nextInt(4)];
+    Kind kind = Kind.values()[random.nextInt(4)];
     int id = some(kind);
     if (id >= 0) {
       world.setRestitution(kind, id, draws.restitution());
@@ -108,12 +108,12 @@ final class Edits {
   }
 
   private void setTraits() {
-    ObstacleKind kind = ObstacleKind.values()[random.nextInt(4)];
+    Kind kind = Kind.values()[random.nextInt(4)];
     int id = some(kind);
     if (id >= 0) {
       world.setResponse(kind, id, draws.response(kind));
     }
-    if (id >= 0 && kind == ObstacleKind.LINE && draws.hasTraits()) {
+    if (id >= 0 && kind == Kind.LINE && draws.hasTraits()) {
       world.setOneWay(id, random.nextInt(3) == 0);
     }
   }

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 package dev.carom.bench.fuzz;
 
-import dev.carom.ObstacleKind;
+import dev.carom.Kind;
 import dev.carom.Scene;
 import dev.carom.SceneBuilder;
 import dev.carom.World;
@@ -17,7 +17,7 @@ import java.util.Set;
 public final class EndScene {
 
   /** What leads to endless impacts. */
-  public enum Kind {
+  public enum Layout {
     /** Disks that overlap several lines or pegs, among others that fly past. */
     TRAPPED,
     /** Disks in pockets with a clearance of some ulps, among others that fly past. */
@@ -52,7 +52,7 @@ public final class EndScene {
   /** Steps after which a scene that would come to rest, or to no end of speed, is stirred. */
   private static final int STIR = 100;
 
-  private final Kind kind;
+  private final Layout kind;
   private final Random random;
   private final double length;
   private final double speed;
@@ -68,7 +68,7 @@ public final class EndScene {
    * @param length the unit of length
    * @param speed the unit of speed
    */
-  EndScene(Kind kind, Random random, double length, double speed) {
+  EndScene(Layout kind, Random random, double length, double speed) {
     this.kind = kind;
     this.random = random;
     this.length = length;
@@ -88,7 +88,7 @@ public final class EndScene {
 
   /** Whether each step leads to its end. */
   boolean finishes() {
-    return kind != Kind.BUMPERS;
+    return kind != Layout.BUMPERS;
   }
 
   /** The length of a step. */
@@ -144,7 +144,7 @@ public final class EndScene {
 
   private void buildTraps() {
     box(false, pick(1, 1, 0.9));
-    int traps = kind == Kind.POCKETS ? 1 : 1 + random.nextInt(3);
+    int traps = kind == Layout.POCKETS ? 1 : 1 + random.nextInt(3);
     for (int i = 0; i < traps; i++) {
       double x = 20 + 30 * i;
       double y = between(20, 60);
@@ -165,7 +165,8 @@ public final class EndScene {
     double turn = between(0, 2 * Math.PI);
     for (int k = 0; k < sides; k++) {
       double angle = turn + 2 * Math.PI * k / sides + between(-0.2, 0.2);
-      double gap = kind == Kind.POCKETS ? r + random.nextInt(32) * Math.ulp(x) : r * pick(0.2, 0.7);
+      double gap =
+          kind == Layout.POCKETS ? r + random.nextInt(32) * Math.ulp(x) : r * pick(0.2, 0.7);
       double size = pick(0, 1, between(0.5, 3));
       double nx = Math.cos(angle);
       double ny = Math.sin(angle);
@@ -334,7 +335,7 @@ public final class EndScene {
   }
 
   private boolean kick(World world) {
-    for (int i : world.ids(ObstacleKind.CIRCLE)) {
+    for (int i : world.ids(Kind.CIRCLE)) {
       if (trapped.contains(i)) {
         world.setVelocity(i, speed * random.nextGaussian(), speed * random.nextGaussian());
       }
@@ -345,7 +346,7 @@ public final class EndScene {
   /** Turns infinite masses around the centre of the box, to and fro. */
   private boolean flip(World world) {
     double turn = random.nextBoolean() ? FLIP : -FLIP;
-    for (int i : world.ids(ObstacleKind.CIRCLE)) {
+    for (int i : world.ids(Kind.CIRCLE)) {
       if (world.mass(i) == INFINITE) {
         double x = world.x(i) / length - WIDTH / 2;
         double y = world.y(i) / length - HEIGHT / 2;
@@ -356,14 +357,14 @@ public final class EndScene {
   }
 
   private boolean fall(World world) {
-    for (int i : world.ids(ObstacleKind.CIRCLE)) {
+    for (int i : world.ids(Kind.CIRCLE)) {
       world.setVelocity(i, world.vx(i), world.vy(i) - GRAVITY * speed);
     }
     return true;
   }
 
   private boolean stir(World world) {
-    for (int i : world.ids(ObstacleKind.CIRCLE)) {
+    for (int i : world.ids(Kind.CIRCLE)) {
       world.setVelocity(i, 2 * speed * random.nextGaussian(), 2 * speed * random.nextGaussian());
     }
     return true;

@@ -2,7 +2,7 @@
 package dev.carom.bench.fuzz;
 
 import dev.carom.ImpactLog;
-import dev.carom.ObstacleKind;
+import dev.carom.Kind;
 import dev.carom.Outcome;
 import dev.carom.Vec2;
 import dev.carom.World;
@@ -115,15 +115,15 @@ final class EnergyCheck {
   }
 
   private boolean isCarried() {
-    return falls() && (moves(ObstacleKind.LINE) || moves(ObstacleKind.PEG) || infiniteMassesMove());
+    return falls() && (moves(Kind.LINE) || moves(Kind.PEG) || infiniteMassesMove());
   }
 
   private boolean infiniteMassesMove() {
-    return Arrays.stream(world.ids(ObstacleKind.CIRCLE))
+    return Arrays.stream(world.ids(Kind.CIRCLE))
         .anyMatch(id -> isInfinite(id) && (world.vx(id) != 0 || world.vy(id) != 0));
   }
 
-  private boolean moves(ObstacleKind kind) {
+  private boolean moves(Kind kind) {
     return Arrays.stream(world.ids(kind))
         .anyMatch(id -> !world.velocity(kind, id).equals(Vec2.ZERO));
   }
@@ -135,7 +135,7 @@ final class EnergyCheck {
       return rises;
     }
     boolean collide = world.scene().collide();
-    for (int id : world.ids(ObstacleKind.CIRCLE)) {
+    for (int id : world.ids(Kind.CIRCLE)) {
       double mass = collide ? world.mass(id) : 1;
       if (mass < Double.POSITIVE_INFINITY) {
         double g = world.gravity().length() / unit;
@@ -160,20 +160,19 @@ final class EnergyCheck {
 
   private double restitution(int row) {
     ImpactLog log = world.impacts();
-    return world.restitution(ObstacleKind.CIRCLE, log.circle(row))
+    return world.restitution(Kind.CIRCLE, log.circle(row))
         * world.restitution(log.kind(row), log.id(row));
   }
 
   /** Whether one of two circles has infinite mass, which gives or takes any energy. */
   private boolean meetsInfinite(int row) {
     ImpactLog log = world.impacts();
-    return log.kind(row) == ObstacleKind.CIRCLE
-        && (isInfinite(log.circle(row)) || isInfinite(log.id(row)));
+    return log.kind(row) == Kind.CIRCLE && (isInfinite(log.circle(row)) || isInfinite(log.id(row)));
   }
 
   private boolean meetsMoving(int row) {
     ImpactLog log = world.impacts();
-    return log.kind(row) != ObstacleKind.CIRCLE
+    return log.kind(row) != Kind.CIRCLE
         && !world.velocity(log.kind(row), log.id(row)).equals(Vec2.ZERO);
   }
 
@@ -184,8 +183,8 @@ final class EnergyCheck {
   /** In the session's own unit of speed, so that squares stay in range; twice the usual ones. */
   private Energies energies() {
     boolean collide = world.scene().collide();
-    Energies energies = new Energies(collide ? 1 : world.idLimit(ObstacleKind.CIRCLE));
-    for (int id : world.ids(ObstacleKind.CIRCLE)) {
+    Energies energies = new Energies(collide ? 1 : world.idLimit(Kind.CIRCLE));
+    for (int id : world.ids(Kind.CIRCLE)) {
       if (!collide || !isInfinite(id)) {
         int i = collide ? 0 : id;
         double mass = collide ? world.mass(id) : 1;

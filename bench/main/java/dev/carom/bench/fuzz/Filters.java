@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 package dev.carom.bench.fuzz;
 
-import dev.carom.ObstacleKind;
+import dev.carom.Kind;
 import dev.carom.SceneBuilder;
 import dev.carom.World;
 import java.util.Random;
@@ -34,7 +34,7 @@ final class Filters {
 
   /** Now and then sets the filter of something. */
   void edit(World world) {
-    ObstacleKind kind = ObstacleKind.values()[random.nextInt(4)];
+    Kind kind = Kind.values()[random.nextInt(4)];
     int[] ids = world.ids(kind);
     if (used && ids.length > 0 && random.nextInt(4) == 0) {
       world.setFilter(kind, ids[random.nextInt(ids.length)], bits(), bits());
@@ -42,14 +42,14 @@ final class Filters {
   }
 
   /** Whether a circle can meet something, which may be a circle. */
-  static boolean meet(World world, int circle, ObstacleKind kind, int id) {
-    int category = world.category(ObstacleKind.CIRCLE, circle);
-    int mask = world.mask(ObstacleKind.CIRCLE, circle);
+  static boolean meet(World world, int circle, Kind kind, int id) {
+    int category = world.category(Kind.CIRCLE, circle);
+    int mask = world.mask(Kind.CIRCLE, circle);
     return (category & world.mask(kind, id)) != 0 && (mask & world.category(kind, id)) != 0;
   }
 
   /** Whether the scene has bounds that a circle can meet. */
   static boolean areBound(World world, int circle) {
-    return world.scene().bounds().isPresent() && meet(world, circle, ObstacleKind.WALL, 0);
+    return world.scene().bounds().isPresent() && meet(world, circle, Kind.WALL, 0);
   }
 }

@@ -3,7 +3,7 @@ package dev.carom.bench.fuzz;
 
 import dev.carom.Feature;
 import dev.carom.ImpactLog;
-import dev.carom.ObstacleKind;
+import dev.carom.Kind;
 import dev.carom.Outcome;
 import java.util.ArrayList;
 import java.util.List;
@@ -12,7 +12,7 @@ import java.util.List;
 record ImpactRow(
     double time,
     int circle,
-    ObstacleKind kind,
+    Kind kind,
     int id,
     Feature feature,
     double x,

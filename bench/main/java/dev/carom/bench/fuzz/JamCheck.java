@@ -2,7 +2,7 @@
 package dev.carom.bench.fuzz;
 
 import dev.carom.ImpactLog;
-import dev.carom.ObstacleKind;
+import dev.carom.Kind;
 import dev.carom.Outcome;
 import dev.carom.Timeline;
 import dev.carom.Vec2;
@@ -77,7 +77,7 @@ final class JamCheck {
     }
     if (complete) {
       for (int i : trapped) {
-        if (world.contains(ObstacleKind.CIRCLE, i) && rests(world, i)) {
+        if (world.contains(Kind.CIRCLE, i) && rests(world, i)) {
           jammed.add(i);
         }
       }

@@ -2,7 +2,7 @@
 package dev.carom.bench.fuzz;
 
 import dev.carom.ImpactLog;
-import dev.carom.ObstacleKind;
+import dev.carom.Kind;
 import dev.carom.World;
 
 /** What each row of a log must be, and their order. */
@@ -32,7 +32,7 @@ final class LogCheck {
   private static void checkRow(World world, ImpactLog log, int row) throws FindingException {
     double length = Math.hypot(log.nx(row), log.ny(row));
     boolean there =
-        world.contains(ObstacleKind.CIRCLE, log.circle(row))
+        world.contains(Kind.CIRCLE, log.circle(row))
             && world.contains(log.kind(row), log.id(row))
             && Filters.meet(world, log.circle(row), log.kind(row), log.id(row));
     boolean numbers =

@@ -2,7 +2,7 @@
 package dev.carom.bench.fuzz;
 
 import dev.carom.ImpactLog;
-import dev.carom.ObstacleKind;
+import dev.carom.Kind;
 import dev.carom.Outcome;
 import dev.carom.World;
 import java.util.HashMap;
@@ -34,9 +34,9 @@ final class MassCheck {
     for (int row = 0; row < log.size(); row++) {
       int a = log.circle(row);
       int b = log.id(row);
-      if (log.kind(row) == ObstacleKind.CIRCLE && isInfinite(a) && isInfinite(b)) {
+      if (log.kind(row) == Kind.CIRCLE && isInfinite(a) && isInfinite(b)) {
         checkPassed(log, row);
-      } else if (log.kind(row) == ObstacleKind.CIRCLE
+      } else if (log.kind(row) == Kind.CIRCLE
           && log.outcome(row) == Outcome.JAMMED
           && (isInfinite(a) || isInfinite(b))) {
         crushed.putIfAbsent(isInfinite(a) ? new Pair(b, a) : new Pair(a, b), log.time(row));
@@ -53,7 +53,7 @@ final class MassCheck {
   }
 
   private boolean isInfinite(int id) {
-    return world.contains(ObstacleKind.CIRCLE, id) && world.mass(id) == Double.POSITIVE_INFINITY;
+    return world.contains(Kind.CIRCLE, id) && world.mass(id) == Double.POSITIVE_INFINITY;
   }
 
   /** Whether two circles may overlap in a part of their flights: one crushed the other. */
@@ -72,7 +72,7 @@ final class MassCheck {
   private boolean overlap(Pair pair) {
     int i = pair.finite;
     int j = pair.infinite;
-    return world.contains(ObstacleKind.CIRCLE, i)
+    return world.contains(Kind.CIRCLE, i)
         && Math.hypot(world.x(i) - world.x(j), world.y(i) - world.y(j))
             <= (world.radius(i) + world.radius(j)) * (1 + 0x1p-15);
   }
@@ -102,7 +102,7 @@ final class MassCheck {
     Map<Integer, Set<Double>> turns = new HashMap<>();
     ImpactLog log = world.impacts();
     for (int row = 0; row < log.size(); row++) {
-      if (log.kind(row) != ObstacleKind.CIRCLE) {
+      if (log.kind(row) != Kind.CIRCLE) {
         turns.computeIfAbsent(log.circle(row), i -> new HashSet<>()).add(log.time(row));
       }
     }

@@ -2,8 +2,8 @@
 package dev.carom.bench.fuzz;
 
 import dev.carom.Circle;
+import dev.carom.Kind;
 import dev.carom.Line;
-import dev.carom.ObstacleKind;
 import dev.carom.SceneBuilder;
 import dev.carom.Snapshot;
 import dev.carom.Vec2;
@@ -50,7 +50,7 @@ final class Motions {
 
   /** Sets a velocity, or not; returns whether it did. One that is refused must change nothing. */
   boolean edit(World world) throws FindingException {
-    ObstacleKind kind = random.nextBoolean() ? ObstacleKind.LINE : ObstacleKind.PEG;
+    Kind kind = random.nextBoolean() ? Kind.LINE : Kind.PEG;
     int[] ids = world.ids(kind);
     if (ids.length == 0 || random.nextInt(EDITS) > 0) {
       return false;
@@ -79,8 +79,8 @@ final class Motions {
     return random.nextInt(4) == 0 ? Vec2.ZERO : new Vec2(component(), component());
   }
 
-  private static Vec2 place(World world, ObstacleKind kind, int id) {
-    if (kind == ObstacleKind.PEG) {
+  private static Vec2 place(World world, Kind kind, int id) {
+    if (kind == Kind.PEG) {
       Circle peg = world.peg(id);
       return peg.center();
     }

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 package dev.carom.bench.fuzz;
 
-import dev.carom.ObstacleKind;
+import dev.carom.Kind;
 import dev.carom.Scene;
 import dev.carom.Snapshot;
 import dev.carom.World;
@@ -59,7 +59,7 @@ final class OtherWays {
     same("cut at " + Arrays.toString(cuts), rows, seen);
     same("cut at " + Arrays.toString(cuts), after, sliced.snapshot());
     if (!world.scene().collide()) {
-      int[] ids = world.ids(ObstacleKind.CIRCLE);
+      int[] ids = world.ids(Kind.CIRCLE);
       checkAlone(ids[random.nextInt(ids.length)], before, world, rows);
     }
   }
@@ -91,9 +91,9 @@ final class OtherWays {
   void checkAlone(int i, Snapshot before, World world, List<ImpactRow> rows)
       throws FindingException {
     alone.restore(before);
-    for (int id : alone.ids(ObstacleKind.CIRCLE)) {
+    for (int id : alone.ids(Kind.CIRCLE)) {
       if (id != i) {
-        alone.remove(ObstacleKind.CIRCLE, id);
+        alone.remove(Kind.CIRCLE, id);
       }
     }
     String way = "circle " + i + " alone";

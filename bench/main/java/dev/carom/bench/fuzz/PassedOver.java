@@ -2,7 +2,7 @@
 package dev.carom.bench.fuzz;
 
 import dev.carom.ImpactLog;
-import dev.carom.ObstacleKind;
+import dev.carom.Kind;
 import dev.carom.Outcome;
 import dev.carom.World;
 import java.util.HashMap;
@@ -28,7 +28,7 @@ final class PassedOver {
     for (int row = 0; row < log.size(); row++) {
       if (log.outcome(row) == Outcome.JAMMED) {
         jammed.putIfAbsent(log.circle(row), log.time(row));
-        if (log.kind(row) == ObstacleKind.CIRCLE) {
+        if (log.kind(row) == Kind.CIRCLE) {
           jammed.putIfAbsent(log.id(row), log.time(row));
         }
       }
@@ -52,6 +52,6 @@ final class PassedOver {
   }
 
   private boolean stands(int id) {
-    return world.contains(ObstacleKind.CIRCLE, id) && world.vx(id) == 0 && world.vy(id) == 0;
+    return world.contains(Kind.CIRCLE, id) && world.vx(id) == 0 && world.vy(id) == 0;
   }
 }

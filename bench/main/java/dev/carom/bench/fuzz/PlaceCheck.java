@@ -2,7 +2,7 @@
 package dev.carom.bench.fuzz;
 
 import dev.carom.Bounds;
-import dev.carom.ObstacleKind;
+import dev.carom.Kind;
 import dev.carom.Vec2;
 import dev.carom.World;
 import java.util.BitSet;
@@ -36,7 +36,7 @@ final class PlaceCheck {
     if (world.gravity().equals(Vec2.ZERO)) {
       outside.clear();
     }
-    for (int id : world.ids(ObstacleKind.CIRCLE)) {
+    for (int id : world.ids(Kind.CIRCLE)) {
       boolean isInside = isInside(id);
       outside.set(id, outside.get(id) || !isInside);
       inside.set(id, isInside && (!outside.get(id) || world.gravity().equals(Vec2.ZERO)));
@@ -45,7 +45,7 @@ final class PlaceCheck {
 
   /** Compares with the end of the step. */
   void end() throws FindingException {
-    for (int id : world.ids(ObstacleKind.CIRCLE)) {
+    for (int id : world.ids(Kind.CIRCLE)) {
       boolean numbers = !Double.isNaN(world.x(id)) && !Double.isNaN(world.y(id));
       if (!numbers || !Double.isFinite(world.vx(id)) || !Double.isFinite(world.vy(id))) {
         throw new FindingException("circle %d has a coordinate that is no number".formatted(id));

@@ -82,8 +82,8 @@ final class Session {
   }
 
   private EndScene endScene(long number) {
-    EndScene.Kind[] kinds = EndScene.Kind.values();
-    EndScene.Kind kind = kinds[(int) Math.floorMod(number, (long) kinds.length)];
+    EndScene.Layout[] kinds = EndScene.Layout.values();
+    EndScene.Layout kind = kinds[(int) Math.floorMod(number, (long) kinds.length)];
     return new EndScene(kind, random, numbers.length(), numbers.speedUnit());
   }
 

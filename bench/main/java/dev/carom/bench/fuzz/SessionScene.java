@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 package dev.carom.bench.fuzz;
 
-import dev.carom.ObstacleKind;
+import dev.carom.Kind;
 import dev.carom.Response;
 import dev.carom.Scene;
 import dev.carom.SceneBuilder;
@@ -73,7 +73,7 @@ final class SessionScene {
     for (int i = 0; i < lines; i++) {
       addLine();
       builder.restitution(restitution());
-      builder.response(response(ObstacleKind.LINE));
+      builder.response(response(Kind.LINE));
       if (traits && random.nextInt(4) == 0) {
         builder.oneWay();
       }
@@ -86,7 +86,7 @@ final class SessionScene {
       double y = numbers.y();
       variation.centre(x, y);
       builder.peg(x, y, numbers.pegRadius()).restitution(restitution());
-      builder.response(response(ObstacleKind.PEG));
+      builder.response(response(Kind.PEG));
       filters.draw(builder);
       move();
     }
@@ -119,7 +119,7 @@ final class SessionScene {
       Vec2 place = variation.place(numbers.x(), numbers.y());
       builder.circle(place.x(), place.y(), r, numbers.speed(), numbers.speed());
       builder.restitution(restitution());
-      builder.response(response(ObstacleKind.CIRCLE));
+      builder.response(response(Kind.CIRCLE));
       if (masses) {
         builder.mass(numbers.mass());
       }
@@ -133,11 +133,11 @@ final class SessionScene {
     return elastic ? 1 : some[random.nextInt(some.length)];
   }
 
-  Response response(ObstacleKind kind) {
+  Response response(Kind kind) {
     if (!traits || random.nextInt(3) > 0) {
       return Response.BOUNCE;
     }
-    boolean noSensor = kind == ObstacleKind.WALL;
+    boolean noSensor = kind == Kind.WALL;
     Response drawn = Response.values()[random.nextInt(noSensor ? 2 : 3)];
     return elastic && drawn == Response.HALT ? Response.BOUNCE : drawn;
   }

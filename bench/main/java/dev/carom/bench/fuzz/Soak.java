@@ -63,7 +63,7 @@ public final class Soak {
    * @param afterRound told of each round that is done
    * @throws FindingException if something is not as it must be
    */
-  public static SoakTimes run(EndScene.Kind kind, long seed, long impacts, IntConsumer afterRound)
+  public static SoakTimes run(EndScene.Layout kind, long seed, long impacts, IntConsumer afterRound)
       throws FindingException {
     EndScene ends = new EndScene(kind, new Random(seed), 1, 1);
     StepWatch watch = new StepWatch(ends.scene(), 1, ends.trapped(), MOST_ROWS, seed);

@@ -2,8 +2,8 @@
 package dev.carom.bench.fuzz;
 
 import dev.carom.Circle;
+import dev.carom.Kind;
 import dev.carom.Line;
-import dev.carom.ObstacleKind;
 import dev.carom.Response;
 import dev.carom.Vec2;
 import dev.carom.World;
@@ -22,16 +22,16 @@ record Solid(String name, Line axis, double radius, Vec2 velocity, boolean oneWa
   static List<Solid> of(World world, Flight f) {
     List<Solid> solids = new ArrayList<>();
     double ago = world.now() - f.from();
-    for (int id : world.ids(ObstacleKind.LINE)) {
-      if (isSolid(world, f, ObstacleKind.LINE, id)) {
-        Vec2 u = world.velocity(ObstacleKind.LINE, id);
+    for (int id : world.ids(Kind.LINE)) {
+      if (isSolid(world, f, Kind.LINE, id)) {
+        Vec2 u = world.velocity(Kind.LINE, id);
         Line axis = before(world.line(id), u, ago);
         solids.add(new Solid("line " + id, axis, 0, u, world.oneWay(id)));
       }
     }
-    for (int id : world.ids(ObstacleKind.PEG)) {
-      if (isSolid(world, f, ObstacleKind.PEG, id)) {
-        Vec2 u = world.velocity(ObstacleKind.PEG, id);
+    for (int id : world.ids(Kind.PEG)) {
+      if (isSolid(world, f, Kind.PEG, id)) {
+        Vec2 u = world.velocity(Kind.PEG, id);
         Circle peg = world.peg(id);
         Line axis = before(new Line(peg.x(), peg.y(), peg.x(), peg.y()), u, ago);
         solids.add(new Solid("peg " + id, axis, peg.radius(), u, false));
@@ -40,7 +40,7 @@ record Solid(String name, Line axis, double radius, Vec2 velocity, boolean oneWa
     return solids;
   }
 
-  private static boolean isSolid(World world, Flight f, ObstacleKind kind, int id) {
+  private static boolean isSolid(World world, Flight f, Kind kind, int id) {
     return world.response(kind, id) != Response.SENSOR && Filters.meet(world, f.circle(), kind, id);
   }
 

@@ -2,7 +2,7 @@
 package dev.carom.bench.fuzz;
 
 import dev.carom.ImpactLog;
-import dev.carom.ObstacleKind;
+import dev.carom.Kind;
 import dev.carom.Outcome;
 import dev.carom.Timeline;
 import dev.carom.Vec2;
@@ -62,7 +62,7 @@ final class StepFlights {
     List<List<Double>> moments = moments();
     List<List<Flight>> flights = new ArrayList<>();
     for (int i = 0; i < moments.size(); i++) {
-      flights.add(world.contains(ObstacleKind.CIRCLE, i) ? of(i, moments.get(i)) : List.of());
+      flights.add(world.contains(Kind.CIRCLE, i) ? of(i, moments.get(i)) : List.of());
     }
     return flights;
   }
@@ -72,14 +72,14 @@ final class StepFlights {
    */
   private List<List<Double>> moments() {
     List<List<Double>> moments = new ArrayList<>();
-    for (int i = 0; i < world.idLimit(ObstacleKind.CIRCLE); i++) {
+    for (int i = 0; i < world.idLimit(Kind.CIRCLE); i++) {
       moments.add(new ArrayList<>(List.of(start)));
     }
     ImpactLog log = world.impacts();
     for (int row = 0; row < log.size(); row++) {
       if (!falls || log.outcome(row) != Outcome.SENSED) {
         moments.get(log.circle(row)).add(log.time(row));
-        if (log.kind(row) == ObstacleKind.CIRCLE) {
+        if (log.kind(row) == Kind.CIRCLE) {
           moments.get(log.id(row)).add(log.time(row));
         }
       }

@@ -2,7 +2,7 @@
 package dev.carom.bench.fuzz;
 
 import dev.carom.ImpactLog;
-import dev.carom.ObstacleKind;
+import dev.carom.Kind;
 import dev.carom.Outcome;
 import dev.carom.Scene;
 import dev.carom.Snapshot;
@@ -161,7 +161,7 @@ final class StepWatch {
   /** Whether nobody is so fast that the order of impacts may depend on a restored snapshot. */
   private boolean isWithinClock() {
     double least = Double.POSITIVE_INFINITY;
-    for (int id : world.ids(ObstacleKind.CIRCLE)) {
+    for (int id : world.ids(Kind.CIRCLE)) {
       least = Math.min(least, world.radius(id));
     }
     return rounding.fastest() * world.now() * CLOCK < least;
@@ -191,19 +191,19 @@ final class StepWatch {
   /** Everything there is now counts for the bound of rounding. */
   private void keepLimits() {
     scene.bounds().ifPresent(b -> rounding.keepPlace(b.xmin(), b.ymin(), b.xmax(), b.ymax()));
-    for (int id : world.ids(ObstacleKind.CIRCLE)) {
+    for (int id : world.ids(Kind.CIRCLE)) {
       rounding.keepPlace(world.x(id), world.y(id), world.radius(id));
       rounding.keepSpeed(world.vx(id), world.vy(id));
     }
-    for (int id : world.ids(ObstacleKind.LINE)) {
+    for (int id : world.ids(Kind.LINE)) {
       var line = world.line(id);
       rounding.keepPlace(line.ax(), line.ay(), line.bx(), line.by());
-      keepSpeed(world.velocity(ObstacleKind.LINE, id));
+      keepSpeed(world.velocity(Kind.LINE, id));
     }
-    for (int id : world.ids(ObstacleKind.PEG)) {
+    for (int id : world.ids(Kind.PEG)) {
       var peg = world.peg(id);
       rounding.keepPlace(peg.x(), peg.y(), peg.radius());
-      keepSpeed(world.velocity(ObstacleKind.PEG, id));
+      keepSpeed(world.velocity(Kind.PEG, id));
     }
   }
 

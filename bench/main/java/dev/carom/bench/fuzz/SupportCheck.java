@@ -2,7 +2,7 @@
 package dev.carom.bench.fuzz;
 
 import dev.carom.Bounds;
-import dev.carom.ObstacleKind;
+import dev.carom.Kind;
 import dev.carom.Response;
 import dev.carom.Vec2;
 import dev.carom.World;
@@ -117,10 +117,8 @@ final class SupportCheck {
 
   private void addCircles(Flight f, List<List<Flight>> all) {
     double middle = f.from() + (f.to() - f.from()) / 2;
-    for (int id : world.ids(ObstacleKind.CIRCLE)) {
-      if (id != f.circle()
-          && !isSensor(id)
-          && Filters.meet(world, f.circle(), ObstacleKind.CIRCLE, id)) {
+    for (int id : world.ids(Kind.CIRCLE)) {
+      if (id != f.circle() && !isSensor(id) && Filters.meet(world, f.circle(), Kind.CIRCLE, id)) {
         List<Flight> flights = all.get(id).stream().filter(o -> isAt(o, middle)).toList();
         if (flights.isEmpty() && isNear(id, f)) {
           tilts.add(0.0); // its way is not known: it may carry the circle
@@ -160,7 +158,7 @@ final class SupportCheck {
   }
 
   private boolean isSensor(int circle) {
-    return world.response(ObstacleKind.CIRCLE, circle) == Response.SENSOR;
+    return world.response(Kind.CIRCLE, circle) == Response.SENSOR;
   }
 
   /** Notes the normal of something at a given offset, if that is near. */

@@ -2,7 +2,7 @@
 package dev.carom.bench.gas;
 
 import dev.carom.ImpactLog;
-import dev.carom.ObstacleKind;
+import dev.carom.Kind;
 import dev.carom.Scene;
 import dev.carom.World;
 
@@ -36,8 +36,8 @@ public record GasReplay(long nanos, long collisions, long wallImpacts, double en
         nanos += System.nanoTime() - start;
         ImpactLog log = world.impacts();
         for (int row = 0; row < log.size(); row++) {
-          collisions += log.kind(row) == ObstacleKind.CIRCLE ? 1 : 0;
-          wallImpacts += log.kind(row) == ObstacleKind.WALL ? 1 : 0;
+          collisions += log.kind(row) == Kind.CIRCLE ? 1 : 0;
+          wallImpacts += log.kind(row) == Kind.WALL ? 1 : 0;
         }
       } while (!complete);
     }

@@ -3,7 +3,7 @@ package dev.carom.bench.gas;
 
 import com.sun.management.ThreadMXBean;
 import dev.carom.ImpactLog;
-import dev.carom.ObstacleKind;
+import dev.carom.Kind;
 import dev.carom.Scene;
 import dev.carom.World;
 import java.lang.management.ManagementFactory;
@@ -62,7 +62,7 @@ public record GasSteady(
       bytes += THREADS.getCurrentThreadAllocatedBytes() - before - (before - asked);
       ImpactLog log = world.impacts();
       for (int row = 0; row < log.size(); row++) {
-        collisions += log.kind(row) == ObstacleKind.CIRCLE ? 1 : 0;
+        collisions += log.kind(row) == Kind.CIRCLE ? 1 : 0;
       }
       return complete;
     }

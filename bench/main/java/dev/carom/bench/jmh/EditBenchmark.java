@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 package dev.carom.bench.jmh;
 
-import dev.carom.ObstacleKind;
+import dev.carom.Kind;
 import dev.carom.Scene;
 import dev.carom.SceneBuilder;
 import dev.carom.Snapshot;
@@ -202,7 +202,7 @@ public class EditBenchmark {
   public boolean paddlesMove(Paddles s) {
     s.frame++;
     for (int id = 0; id < 2; id++) {
-      s.world.setVelocity(ObstacleKind.PEG, id, s.toAndFro(0.1, 0), s.toAndFro(0.07, 5));
+      s.world.setVelocity(Kind.PEG, id, s.toAndFro(0.1, 0), s.toAndFro(0.07, 5));
     }
     return s.world.step(1);
   }

@@ -4,8 +4,8 @@ package dev.carom.bench.jmh;
 import dev.carom.Casts;
 import dev.carom.Circle;
 import dev.carom.Impact;
+import dev.carom.Kind;
 import dev.carom.Obstacle;
-import dev.carom.ObstacleKind;
 import dev.carom.Resolver;
 import dev.carom.Scene;
 import dev.carom.SceneBuilder;
@@ -175,7 +175,7 @@ public class QuestionBenchmark {
   @Benchmark
   public int nearest(Lines lines) {
     Circle point = lines.points[lines.next()];
-    return lines.world.nearest(ObstacleKind.LINE, point.x(), point.y());
+    return lines.world.nearest(Kind.LINE, point.x(), point.y());
   }
 
   /** The nearest obstacle, without a world. */
@@ -187,7 +187,7 @@ public class QuestionBenchmark {
   /** The three or four lines that overlap a disk of radius 10: their ids. */
   @Benchmark
   public int[] overlapping(Lines lines) {
-    return lines.world.overlapping(ObstacleKind.LINE, lines.disks[lines.next()]);
+    return lines.world.overlapping(Kind.LINE, lines.disks[lines.next()]);
   }
 
   /** The first impact of a ray among circles that collide, at their speed. */

@@ -2,7 +2,7 @@
 package dev.carom.bench.methods;
 
 import dev.carom.ImpactLog;
-import dev.carom.ObstacleKind;
+import dev.carom.Kind;
 import dev.carom.Scene;
 import dev.carom.World;
 
@@ -40,7 +40,7 @@ final class CaromMethod implements Method {
     ImpactLog log = world.impacts();
     int walls = 0;
     for (int row = 0; row < log.size(); row++) {
-      walls += log.kind(row) == ObstacleKind.WALL ? 1 : 0;
+      walls += log.kind(row) == Kind.WALL ? 1 : 0;
     }
     return walls;
   }

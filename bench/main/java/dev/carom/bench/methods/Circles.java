@@ -4,7 +4,7 @@ package dev.carom.bench.methods;
 import static dev.carom.bench.methods.RealDouble.real;
 
 import dev.carom.Circle;
-import dev.carom.ObstacleKind;
+import dev.carom.Kind;
 import dev.carom.Scene;
 import dev.carom.Vec2;
 
@@ -38,7 +38,7 @@ abstract class Circles implements Method {
       vx[i] = real(velocity.x());
       vy[i] = real(velocity.y());
       radius[i] = real(circle.radius());
-      restitution[i] = real(scene.restitution(ObstacleKind.CIRCLE, i));
+      restitution[i] = real(scene.restitution(Kind.CIRCLE, i));
     }
   }
 

@@ -4,8 +4,8 @@ package dev.carom.bench.methods;
 import static dev.carom.bench.methods.RealDouble.real;
 
 import dev.carom.Bounds;
+import dev.carom.Kind;
 import dev.carom.Line;
-import dev.carom.ObstacleKind;
 import dev.carom.Scene;
 
 /** State that the methods in plain doubles share: flat arrays of circles, lines and four walls. */
@@ -32,11 +32,11 @@ abstract class PlainMethod extends Circles {
     by = new double[lines];
     lineRestitution = new double[lines];
     for (int k = 0; k < lines; k++) {
-      lineRestitution[k] = real(scene.restitution(ObstacleKind.LINE, k));
+      lineRestitution[k] = real(scene.restitution(Kind.LINE, k));
       setLine(k, scene.line(k));
     }
     Bounds bounds = scene.bounds().orElse(null);
-    wallRestitution = bounds == null ? 1 : real(scene.restitution(ObstacleKind.WALL, 0));
+    wallRestitution = bounds == null ? 1 : real(scene.restitution(Kind.WALL, 0));
     xmin = bounds == null ? Double.NEGATIVE_INFINITY : real(bounds.xmin());
     ymin = bounds == null ? Double.NEGATIVE_INFINITY : real(bounds.ymin());
     xmax = bounds == null ? Double.POSITIVE_INFINITY : real(bounds.xmax());

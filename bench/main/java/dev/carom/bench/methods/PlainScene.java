@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
 package dev.carom.bench.methods;
 
-import static dev.carom.ObstacleKind.LINE;
-import static dev.carom.ObstacleKind.PEG;
+import static dev.carom.Kind.LINE;
+import static dev.carom.Kind.PEG;
 
+import dev.carom.Kind;
 import dev.carom.Line;
-import dev.carom.ObstacleKind;
 import dev.carom.Scene;
 import dev.carom.Vec2;
 import java.util.stream.IntStream;
@@ -78,7 +78,7 @@ public final class PlainScene {
         : new Vec2(1, 0);
   }
 
-  private static boolean rest(Scene scene, ObstacleKind kind, int count) {
+  private static boolean rest(Scene scene, Kind kind, int count) {
     return IntStream.range(0, count).allMatch(i -> scene.velocity(kind, i).equals(Vec2.ZERO));
   }
 

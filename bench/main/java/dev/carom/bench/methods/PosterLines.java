@@ -4,8 +4,8 @@ package dev.carom.bench.methods;
 import static dev.carom.bench.methods.RealDouble.real;
 
 import dev.carom.Circle;
+import dev.carom.Kind;
 import dev.carom.Line;
-import dev.carom.ObstacleKind;
 import dev.carom.Scene;
 import dev.carom.Vec2;
 
@@ -36,14 +36,14 @@ final class PosterLines {
     this(scene.lineCount() + scene.pegCount());
     int straight = scene.lineCount();
     for (int k = 0; k < straight; k++) {
-      setLine(k, scene.line(k), real(scene.restitution(ObstacleKind.LINE, k)));
+      setLine(k, scene.line(k), real(scene.restitution(Kind.LINE, k)));
     }
     for (int k = straight; k < count; k++) {
       Circle peg = scene.peg(k - straight);
       setLine(
           k,
           new Line(peg.x(), peg.y(), peg.x(), peg.y()),
-          real(scene.restitution(ObstacleKind.PEG, k - straight)));
+          real(scene.restitution(Kind.PEG, k - straight)));
       thickness[k] = real(peg.radius());
     }
   }

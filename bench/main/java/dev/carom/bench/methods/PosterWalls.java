@@ -4,7 +4,7 @@ package dev.carom.bench.methods;
 import static dev.carom.bench.methods.RealDouble.real;
 
 import dev.carom.Bounds;
-import dev.carom.ObstacleKind;
+import dev.carom.Kind;
 import dev.carom.Scene;
 
 /** The bounds in double, as the published algorithm meets them; infinite for an open scene. */
@@ -23,7 +23,7 @@ final class PosterWalls {
     ymin = bounds == null ? Double.NEGATIVE_INFINITY : real(bounds.ymin());
     xmax = bounds == null ? Double.POSITIVE_INFINITY : real(bounds.xmax());
     ymax = bounds == null ? Double.POSITIVE_INFINITY : real(bounds.ymax());
-    restitution = bounds == null ? 1 : real(scene.restitution(ObstacleKind.WALL, 0));
+    restitution = bounds == null ? 1 : real(scene.restitution(Kind.WALL, 0));
   }
 
   /** The fraction of the motion v at which the circle meets a wall, 0 if it stands beyond. */

@@ -2,8 +2,8 @@
 package dev.carom.bench.peers;
 
 import dev.carom.Bounds;
+import dev.carom.Kind;
 import dev.carom.Line;
-import dev.carom.ObstacleKind;
 import dev.carom.Scene;
 import dev.carom.Vec2;
 import dev.carom.bench.methods.Method;
@@ -54,13 +54,13 @@ abstract class Peer implements Method {
   }
 
   private static void checkRestitution(Scene scene) {
-    double least = scene.bounds().isPresent() ? scene.restitution(ObstacleKind.WALL, 0) : 1;
+    double least = scene.bounds().isPresent() ? scene.restitution(Kind.WALL, 0) : 1;
     for (int k = 0; k < scene.lineCount(); k++) {
-      least = Math.min(least, scene.restitution(ObstacleKind.LINE, k));
+      least = Math.min(least, scene.restitution(Kind.LINE, k));
     }
     for (int i = 0; i < scene.circleCount(); i++) {
-      double e = scene.restitution(ObstacleKind.CIRCLE, i);
-      if (e != scene.restitution(ObstacleKind.CIRCLE, 0) || (scene.collide() && e > least)) {
+      double e = scene.restitution(Kind.CIRCLE, i);
+      if (e != scene.restitution(Kind.CIRCLE, 0) || (scene.collide() && e > least)) {
         throw new UnsupportedOperationException(
             "the engine takes the greater of two restitutions, not the product: expected circles"
                 + " with the same one, and no obstacle with less where circles collide");
@@ -71,7 +71,7 @@ abstract class Peer implements Method {
   /** The restitution of the circles' fixtures. */
   static double circleRestitution(Scene scene) {
     return scene.collide()
-        ? scene.restitution(ObstacleKind.CIRCLE, 0) * scene.restitution(ObstacleKind.CIRCLE, 0)
+        ? scene.restitution(Kind.CIRCLE, 0) * scene.restitution(Kind.CIRCLE, 0)
         : 0;
   }
 
@@ -108,13 +108,13 @@ abstract class Peer implements Method {
   /** The lines, and the four walls as lines. */
   static List<Edge> edges(Scene scene) {
     List<Edge> edges = new ArrayList<>();
-    double circles = scene.circleCount() == 0 ? 1 : scene.restitution(ObstacleKind.CIRCLE, 0);
+    double circles = scene.circleCount() == 0 ? 1 : scene.restitution(Kind.CIRCLE, 0);
     for (int k = 0; k < scene.lineCount(); k++) {
-      edges.add(new Edge(scene.line(k), circles * scene.restitution(ObstacleKind.LINE, k)));
+      edges.add(new Edge(scene.line(k), circles * scene.restitution(Kind.LINE, k)));
     }
     if (scene.bounds().isPresent()) {
       Bounds b = scene.bounds().get();
-      double e = circles * scene.restitution(ObstacleKind.WALL, 0);
+      double e = circles * scene.restitution(Kind.WALL, 0);
       edges.add(new Edge(new Line(b.xmin(), b.ymin(), b.xmax(), b.ymin()), e));
       edges.add(new Edge(new Line(b.xmax(), b.ymin(), b.xmax(), b.ymax()), e));
       edges.add(new Edge(new Line(b.xmax(), b.ymax(), b.xmin(), b.ymax()), e));

@@ -3,7 +3,7 @@ package dev.carom.bench.reference;
 
 import dev.carom.Circle;
 import dev.carom.Feature;
-import dev.carom.ObstacleKind;
+import dev.carom.Kind;
 import dev.carom.Scene;
 import dev.carom.Vec2;
 
@@ -45,7 +45,7 @@ final class Body {
     Vec2 velocity = scene.velocity(id);
     mass = scene.mass(id);
     radius = Ball.of(circle.radius(), bits);
-    restitution = Ball.of(scene.restitution(ObstacleKind.CIRCLE, id), bits);
+    restitution = Ball.of(scene.restitution(Kind.CIRCLE, id), bits);
     p = Vec.of(circle.x(), circle.y(), bits);
     v = Vec.of(velocity.x(), velocity.y(), bits);
     t = Ball.of(0, bits);

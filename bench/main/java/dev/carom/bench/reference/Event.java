@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 package dev.carom.bench.reference;
 
-import dev.carom.ObstacleKind;
+import dev.carom.Kind;
 
 /**
  * An impact that is foreseen: of a body with a target, or else with another body of a higher
@@ -11,7 +11,7 @@ record Event(Ball time, Contact contact, Body a, Target target, Body b) {
 
   Hit hit() {
     return target == null
-        ? new Hit(a.id, ObstacleKind.CIRCLE, b.id, contact.feature())
+        ? new Hit(a.id, Kind.CIRCLE, b.id, contact.feature())
         : new Hit(a.id, target.kind, target.index, contact.feature());
   }
 
@@ -25,7 +25,7 @@ record Event(Ball time, Contact contact, Body a, Target target, Body b) {
     if (h.kind() != k.kind()) {
       return h.kind().compareTo(k.kind()) < 0;
     }
-    boolean pair = h.kind() == ObstacleKind.CIRCLE;
+    boolean pair = h.kind() == Kind.CIRCLE;
     int first = pair ? h.circle() : h.obstacle();
     int second = pair ? h.obstacle() : h.circle();
     int firstOfK = pair ? k.circle() : k.obstacle();

@@ -2,7 +2,7 @@
 package dev.carom.bench.reference;
 
 import dev.carom.Feature;
-import dev.carom.ObstacleKind;
+import dev.carom.Kind;
 
 /**
  * One impact of a run.
@@ -12,4 +12,4 @@ import dev.carom.ObstacleKind;
  * @param obstacle which thing of that kind; of a pair the other circle
  * @param feature the part that was hit
  */
-record Hit(int circle, ObstacleKind kind, int obstacle, Feature feature) {}
+record Hit(int circle, Kind kind, int obstacle, Feature feature) {}

@@ -2,8 +2,8 @@
 package dev.carom.bench.reference;
 
 import dev.carom.Feature;
+import dev.carom.Kind;
 import dev.carom.Line;
-import dev.carom.ObstacleKind;
 import dev.carom.Scene;
 import java.util.ArrayList;
 import java.util.List;
@@ -19,7 +19,7 @@ final class LineTarget extends Target {
   private final Ball length;
 
   LineTarget(Scene scene, int index, int bits) {
-    super(scene, ObstacleKind.LINE, index, bits);
+    super(scene, Kind.LINE, index, bits);
     line = scene.line(index);
     start = Vec.of(line.ax(), line.ay(), bits);
     end = Vec.of(line.bx(), line.by(), bits);

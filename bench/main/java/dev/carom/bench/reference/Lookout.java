@@ -2,7 +2,7 @@
 package dev.carom.bench.reference;
 
 import dev.carom.Feature;
-import dev.carom.ObstacleKind;
+import dev.carom.Kind;
 import dev.carom.Scene;
 import java.util.ArrayList;
 import java.util.Comparator;
@@ -66,7 +66,7 @@ final class Lookout {
     Event first = null;
     FallBoxes boxes = null;
     for (Target target : targets) {
-      boolean wall = target.kind == ObstacleKind.WALL;
+      boolean wall = target.kind == Kind.WALL;
       if (!wall && boxes == null) {
         boxes = new FallBoxes(path, body.radius, first == null ? end.head() : latest(first));
       }

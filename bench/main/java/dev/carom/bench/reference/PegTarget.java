@@ -3,7 +3,7 @@ package dev.carom.bench.reference;
 
 import dev.carom.Circle;
 import dev.carom.Feature;
-import dev.carom.ObstacleKind;
+import dev.carom.Kind;
 import dev.carom.Scene;
 
 /** A circle that stands still. */
@@ -14,7 +14,7 @@ final class PegTarget extends Target {
   private final Ball radius;
 
   PegTarget(Scene scene, int index, int bits) {
-    super(scene, ObstacleKind.PEG, index, bits);
+    super(scene, Kind.PEG, index, bits);
     peg = scene.peg(index);
     center = Vec.of(peg.x(), peg.y(), bits);
     radius = Ball.of(peg.radius(), bits);

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 package dev.carom.bench.reference;
 
-import dev.carom.ObstacleKind;
+import dev.carom.Kind;
 import dev.carom.Response;
 import dev.carom.Scene;
 import dev.carom.Vec2;
@@ -22,22 +22,22 @@ final class Scope {
       allFall(scene);
     }
     if (scene.bounds().isPresent()) {
-      bounces("bounds", scene, ObstacleKind.WALL, 0);
+      bounces("bounds", scene, Kind.WALL, 0);
     }
     for (int i = 0; i < scene.lineCount(); i++) {
-      bounces("line", scene, ObstacleKind.LINE, i);
-      rests("line", i, scene.velocity(ObstacleKind.LINE, i));
+      bounces("line", scene, Kind.LINE, i);
+      rests("line", i, scene.velocity(Kind.LINE, i));
       if (scene.oneWay(i)) {
         throw new IllegalArgumentException(
             "line " + i + " is one-way: a reference expects lines that are there from both sides");
       }
     }
     for (int i = 0; i < scene.pegCount(); i++) {
-      bounces("peg", scene, ObstacleKind.PEG, i);
-      rests("peg", i, scene.velocity(ObstacleKind.PEG, i));
+      bounces("peg", scene, Kind.PEG, i);
+      rests("peg", i, scene.velocity(Kind.PEG, i));
     }
     for (int i = 0; i < scene.circleCount(); i++) {
-      bounces("circle", scene, ObstacleKind.CIRCLE, i);
+      bounces("circle", scene, Kind.CIRCLE, i);
     }
   }
 
@@ -55,7 +55,7 @@ final class Scope {
     }
   }
 
-  private static void bounces(String name, Scene scene, ObstacleKind kind, int i) {
+  private static void bounces(String name, Scene scene, Kind kind, int i) {
     Response response = scene.response(kind, i);
     if (response != Response.BOUNCE) {
       throw new IllegalArgumentException(

@@ -2,18 +2,18 @@
 package dev.carom.bench.reference;
 
 import dev.carom.Feature;
-import dev.carom.ObstacleKind;
+import dev.carom.Kind;
 import dev.carom.Scene;
 
 /** A line, a peg or a wall, with its numbers in so many bits. */
 abstract class Target {
 
-  final ObstacleKind kind;
+  final Kind kind;
   final int index;
   final int bits;
   final Ball restitution;
 
-  Target(Scene scene, ObstacleKind kind, int index, int bits) {
+  Target(Scene scene, Kind kind, int index, int bits) {
     this.kind = kind;
     this.index = index;
     this.bits = bits;

@@ -3,7 +3,7 @@ package dev.carom.bench.reference;
 
 import dev.carom.Bounds;
 import dev.carom.Feature;
-import dev.carom.ObstacleKind;
+import dev.carom.Kind;
 import dev.carom.Scene;
 
 /** One of the four walls of the bounds: 0 left, 1 right, 2 bottom, 3 top. */
@@ -12,7 +12,7 @@ final class WallTarget extends Target {
   private final Ball place;
 
   WallTarget(Scene scene, int index, int bits) {
-    super(scene, ObstacleKind.WALL, index, bits);
+    super(scene, Kind.WALL, index, bits);
     Bounds b = scene.bounds().orElseThrow();
     double[] places = {b.xmin(), b.xmax(), b.ymin(), b.ymax()};
     place = Ball.of(places[index], bits);

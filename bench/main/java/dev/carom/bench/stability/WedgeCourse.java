@@ -2,8 +2,8 @@
 package dev.carom.bench.stability;
 
 import dev.carom.Circle;
+import dev.carom.Kind;
 import dev.carom.Line;
-import dev.carom.ObstacleKind;
 import dev.carom.Scene;
 import dev.carom.Vec2;
 import dev.carom.bench.reference.Reference;
@@ -37,7 +37,7 @@ final class WedgeCourse implements Reference {
     Line second = scene.line(1);
     Circle circle = scene.circle(0);
     Vec2 velocity = scene.velocity(0);
-    double e = scene.restitution(ObstacleKind.LINE, 0);
+    double e = scene.restitution(Kind.LINE, 0);
     WedgeRun run = new WedgeRun(first, second, circle.radius(), e);
     run.play(new double[] {circle.x(), circle.y(), velocity.x(), velocity.y()}, nudged, frames);
     return run;

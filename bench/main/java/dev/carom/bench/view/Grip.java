@@ -2,8 +2,8 @@
 package dev.carom.bench.view;
 
 import dev.carom.Circle;
+import dev.carom.Kind;
 import dev.carom.Line;
-import dev.carom.ObstacleKind;
 import dev.carom.Vec2;
 import dev.carom.World;
 
@@ -14,15 +14,15 @@ import dev.carom.World;
 final class Grip {
 
   private enum Part {
-    CIRCLE(ObstacleKind.CIRCLE),
-    PEG(ObstacleKind.PEG),
-    LINE(ObstacleKind.LINE),
-    START(ObstacleKind.LINE),
-    END(ObstacleKind.LINE);
+    CIRCLE(Kind.CIRCLE),
+    PEG(Kind.PEG),
+    LINE(Kind.LINE),
+    START(Kind.LINE),
+    END(Kind.LINE);
 
-    private final ObstacleKind kind;
+    private final Kind kind;
 
-    Part(ObstacleKind kind) {
+    Part(Kind kind) {
       this.kind = kind;
     }
   }
@@ -70,17 +70,17 @@ final class Grip {
   static Grip at(Player player, Vec2 point, double reach) {
     World world = player.look();
     Circle around = new Circle(point.x(), point.y(), reach);
-    int circle = last(world.overlapping(ObstacleKind.CIRCLE, around, -1, -1));
+    int circle = last(world.overlapping(Kind.CIRCLE, around, -1, -1));
     if (circle >= 0) {
       Vec2 place = new Vec2(world.x(circle), world.y(circle));
       Vec2 velocity = new Vec2(world.vx(circle), world.vy(circle));
       return new Grip(player, Part.CIRCLE, circle, point, place, velocity);
     }
-    int peg = last(world.overlapping(ObstacleKind.PEG, around, -1, -1));
+    int peg = last(world.overlapping(Kind.PEG, around, -1, -1));
     if (peg >= 0) {
       return new Grip(player, Part.PEG, peg, point, world.peg(peg).center(), Vec2.ZERO);
     }
-    int id = world.nearest(ObstacleKind.LINE, point.x(), point.y(), -1, -1);
+    int id = world.nearest(Kind.LINE, point.x(), point.y(), -1, -1);
     if (id < 0 || distance(world.line(id).closestPoint(point), point) > reach) {
       return null;
     }
@@ -101,7 +101,7 @@ final class Grip {
   }
 
   /** The kind of the thing. */
-  ObstacleKind kind() {
+  Kind kind() {
     return part.kind;
   }
 

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 package dev.carom.bench.view;
 
+import dev.carom.Kind;
 import dev.carom.Line;
-import dev.carom.ObstacleKind;
 import dev.carom.Scene;
 import dev.carom.StopReason;
 import dev.carom.Timeline;
@@ -242,7 +242,7 @@ public final class Player {
   /** The ids of the circles of {@link #scene}, in their order there. */
   int[] circleIds() {
     World then = look();
-    return Arrays.stream(then.ids(ObstacleKind.CIRCLE))
+    return Arrays.stream(then.ids(Kind.CIRCLE))
         .filter(id -> Double.isFinite(then.x(id)) && Double.isFinite(then.y(id)))
         .toArray();
   }
@@ -283,7 +283,7 @@ public final class Player {
 
   /** Ids of circles end here. */
   int circles() {
-    return world.idLimit(ObstacleKind.CIRCLE);
+    return world.idLimit(Kind.CIRCLE);
   }
 
   /** When a circle last jumped, up to the moment shown; minus infinity if it did not. */
@@ -401,9 +401,9 @@ public final class Player {
   /**
    * Removes something.
    *
-   * @param kind not {@link ObstacleKind#WALL}
+   * @param kind not {@link Kind#WALL}
    */
-  public void remove(ObstacleKind kind, int id) {
+  public void remove(Kind kind, int id) {
     editable().remove(kind, id);
   }
 }

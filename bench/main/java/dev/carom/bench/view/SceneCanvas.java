@@ -2,7 +2,7 @@
 package dev.carom.bench.view;
 
 import dev.carom.Circle;
-import dev.carom.ObstacleKind;
+import dev.carom.Kind;
 import dev.carom.Scene;
 import dev.carom.Vec2;
 import java.awt.Cursor;
@@ -316,7 +316,7 @@ final class SceneCanvas extends JComponent {
     }
     Vec2 at = plane(mouse);
     Circle around = new Circle(at.x(), at.y(), 1 / scale());
-    int[] circles = player.look().overlapping(ObstacleKind.CIRCLE, around, -1, -1);
+    int[] circles = player.look().overlapping(Kind.CIRCLE, around, -1, -1);
     return circles.length == 0 ? List.of() : List.of(under(mouse).about().split("; "));
   }
 }

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 package dev.carom.bench.view;
 
-import dev.carom.ObstacleKind;
+import dev.carom.Kind;
 import dev.carom.Timeline;
 import dev.carom.bench.charts.Style;
 import dev.carom.bench.duel.PlayedFrame;
@@ -52,7 +52,7 @@ final class Trails {
         points,
         (id, point, place) -> {
           double t = point == points ? end : begin + (end - begin) * point / points;
-          if (t < player.lastJump(id) || !past.contains(ObstacleKind.CIRCLE, id, t)) {
+          if (t < player.lastJump(id) || !past.contains(Kind.CIRCLE, id, t)) {
             return false;
           }
           place[0] = past.x(id, t);

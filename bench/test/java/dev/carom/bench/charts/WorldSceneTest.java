@@ -4,8 +4,8 @@ package dev.carom.bench.charts;
 import static org.assertj.core.api.Assertions.assertThat;
 
 import dev.carom.Circle;
+import dev.carom.Kind;
 import dev.carom.Line;
-import dev.carom.ObstacleKind;
 import dev.carom.Response;
 import dev.carom.Scene;
 import dev.carom.SceneBuilder;
@@ -37,34 +37,34 @@ class WorldSceneTest {
     Timeline past = world.record(10);
     world.step(1);
     world.setOneWay(0, false);
-    world.setRestitution(ObstacleKind.WALL, 0, 0.75);
-    world.setRestitution(ObstacleKind.PEG, 0, 2);
-    world.setResponse(ObstacleKind.PEG, 0, Response.HALT);
-    world.setRestitution(ObstacleKind.LINE, world.addLine(70, 10, 80, 10), 0.125);
-    world.setFilter(ObstacleKind.PEG, 0, 8, 9);
-    world.remove(ObstacleKind.CIRCLE, 0);
+    world.setRestitution(Kind.WALL, 0, 0.75);
+    world.setRestitution(Kind.PEG, 0, 2);
+    world.setResponse(Kind.PEG, 0, Response.HALT);
+    world.setRestitution(Kind.LINE, world.addLine(70, 10, 80, 10), 0.125);
+    world.setFilter(Kind.PEG, 0, 8, 9);
+    world.remove(Kind.CIRCLE, 0);
     Scene now = WorldScene.of(world);
-    assertThat(now.restitution(ObstacleKind.WALL, 0)).isEqualTo(0.75);
-    assertThat(now.response(ObstacleKind.WALL, 0)).isEqualTo(Response.HALT);
+    assertThat(now.restitution(Kind.WALL, 0)).isEqualTo(0.75);
+    assertThat(now.response(Kind.WALL, 0)).isEqualTo(Response.HALT);
     assertThat(now.oneWay(0)).isFalse();
-    assertThat(now.restitution(ObstacleKind.LINE, 0)).isEqualTo(0.5);
-    assertThat(now.restitution(ObstacleKind.LINE, 1)).isEqualTo(0.125);
-    assertThat(now.restitution(ObstacleKind.PEG, 0)).isEqualTo(2);
-    assertThat(now.response(ObstacleKind.PEG, 0)).isEqualTo(Response.HALT);
-    assertThat(now.category(ObstacleKind.PEG, 0)).isEqualTo(8);
-    assertThat(now.mask(ObstacleKind.PEG, 0)).isEqualTo(9);
-    assertThat(now.category(ObstacleKind.WALL, 0)).isEqualTo(7);
+    assertThat(now.restitution(Kind.LINE, 0)).isEqualTo(0.5);
+    assertThat(now.restitution(Kind.LINE, 1)).isEqualTo(0.125);
+    assertThat(now.restitution(Kind.PEG, 0)).isEqualTo(2);
+    assertThat(now.response(Kind.PEG, 0)).isEqualTo(Response.HALT);
+    assertThat(now.category(Kind.PEG, 0)).isEqualTo(8);
+    assertThat(now.mask(Kind.PEG, 0)).isEqualTo(9);
+    assertThat(now.category(Kind.WALL, 0)).isEqualTo(7);
     assertThat(now.circleCount()).isZero();
 
     Scene then = WorldScene.of(world, past, 0.5);
     assertThat(then.circle(0).x()).isEqualTo(30.5);
     assertThat(then.mass(0)).isEqualTo(3);
-    assertThat(then.restitution(ObstacleKind.CIRCLE, 0)).isEqualTo(0.25);
+    assertThat(then.restitution(Kind.CIRCLE, 0)).isEqualTo(0.25);
     assertThat(then.lineCount()).isEqualTo(1);
     assertThat(then.oneWay(0)).isTrue();
-    assertThat(then.restitution(ObstacleKind.WALL, 0)).isEqualTo(1);
-    assertThat(then.restitution(ObstacleKind.PEG, 0)).isEqualTo(1);
-    assertThat(then.response(ObstacleKind.PEG, 0)).isEqualTo(Response.SENSOR);
+    assertThat(then.restitution(Kind.WALL, 0)).isEqualTo(1);
+    assertThat(then.restitution(Kind.PEG, 0)).isEqualTo(1);
+    assertThat(then.response(Kind.PEG, 0)).isEqualTo(Response.SENSOR);
   }
 
   @Test
@@ -92,9 +92,9 @@ class WorldSceneTest {
     assertThat(then.line(1)).isEqualTo(new Line(2, 1, 2, 10));
     assertThat(then.peg(1)).isEqualTo(new Circle(79.5, 20, 3));
     for (Scene scene : new Scene[] {now, then}) {
-      assertThat(scene.velocity(ObstacleKind.LINE, 1)).isEqualTo(new Vec2(2, 1));
-      assertThat(scene.velocity(ObstacleKind.PEG, 1)).isEqualTo(new Vec2(-0.5, 0));
-      assertThat(scene.velocity(ObstacleKind.LINE, 0)).isEqualTo(Vec2.ZERO);
+      assertThat(scene.velocity(Kind.LINE, 1)).isEqualTo(new Vec2(2, 1));
+      assertThat(scene.velocity(Kind.PEG, 1)).isEqualTo(new Vec2(-0.5, 0));
+      assertThat(scene.velocity(Kind.LINE, 0)).isEqualTo(Vec2.ZERO);
     }
   }
 
@@ -105,10 +105,10 @@ class WorldSceneTest {
         new World(start().line(0, 0, 0, 9).velocity(2, 1).peg(80, 20, 3).velocity(-1, 0).build());
     Timeline past = world.record(10);
     world.step(2);
-    world.setVelocity(ObstacleKind.LINE, 1, 0, 0);
-    world.remove(ObstacleKind.PEG, 1);
+    world.setVelocity(Kind.LINE, 1, 0, 0);
+    world.remove(Kind.PEG, 1);
     Scene then = WorldScene.of(world, past, 1);
-    assertThat(then.velocity(ObstacleKind.LINE, 1)).isEqualTo(new Vec2(2, 1));
-    assertThat(then.velocity(ObstacleKind.PEG, 1)).isEqualTo(new Vec2(-1, 0));
+    assertThat(then.velocity(Kind.LINE, 1)).isEqualTo(new Vec2(2, 1));
+    assertThat(then.velocity(Kind.PEG, 1)).isEqualTo(new Vec2(-1, 0));
   }
 }

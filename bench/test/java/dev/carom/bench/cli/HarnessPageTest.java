@@ -3,7 +3,7 @@ package dev.carom.bench.cli;
 
 import static org.assertj.core.api.Assertions.assertThat;
 
-import dev.carom.ObstacleKind;
+import dev.carom.Kind;
 import dev.carom.Scene;
 import dev.carom.Vec2;
 import java.io.IOException;
@@ -64,7 +64,7 @@ class HarnessPageTest {
     String sample = all("(?s)## Scene files.*?```\n(.*?)```").get(0);
     Scene scene = Scene.read(new StringReader(sample), "the sample");
     assertThat(scene.lineCount()).isEqualTo(3);
-    assertThat(scene.velocity(ObstacleKind.LINE, 2)).isEqualTo(new Vec2(2, 0));
+    assertThat(scene.velocity(Kind.LINE, 2)).isEqualTo(new Vec2(2, 0));
     assertThat(scene.pegCount()).isEqualTo(2);
     assertThat(scene.circleCount()).isEqualTo(3);
     assertThat(scene.collide()).isTrue();

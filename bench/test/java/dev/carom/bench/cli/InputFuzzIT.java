@@ -5,7 +5,7 @@ import static org.assertj.core.api.Assertions.assertThat;
 
 import com.code_intelligence.jazzer.junit.FuzzTest;
 import dev.carom.Impact;
-import dev.carom.ObstacleKind;
+import dev.carom.Kind;
 import dev.carom.Scene;
 import dev.carom.Snapshot;
 import dev.carom.SnapshotBytes;
@@ -75,7 +75,7 @@ class InputFuzzIT {
             .filter(4, 2)
             .build();
     World world = new World(scene);
-    world.setVelocity(ObstacleKind.LINE, 0, 0.25, 0.125);
+    world.setVelocity(Kind.LINE, 0, 0.25, 0.125);
     assertThat(world.advanceTo(20)).isTrue();
     byte[] whole = SnapshotBytes.of(world.snapshot());
     return Arrays.copyOf(whole, whole.length - SUM);

@@ -6,7 +6,7 @@ import static org.assertj.core.api.Assertions.offset;
 
 import dev.carom.Impact;
 import dev.carom.ImpactLog;
-import dev.carom.ObstacleKind;
+import dev.carom.Kind;
 import dev.carom.Vec2;
 import dev.carom.World;
 import java.awt.Color;
@@ -248,7 +248,7 @@ class ExamplesTest {
     table.press();
     table.point(new Vec2(0.4, 0.4995));
     Impact first = table.target().orElseThrow();
-    assertThat(first.kind()).isEqualTo(ObstacleKind.CIRCLE);
+    assertThat(first.kind()).isEqualTo(Kind.CIRCLE);
     assertThat(first.id()).isEqualTo(1);
     table.release();
     assertThat(table.target()).as("while the cue ball rolls").isEmpty();
@@ -256,7 +256,7 @@ class ExamplesTest {
     do {
       table.frame();
     } while (impacts.size() == 0);
-    assertThat(impacts.kind(0)).isEqualTo(ObstacleKind.CIRCLE);
+    assertThat(impacts.kind(0)).isEqualTo(Kind.CIRCLE);
     assertThat(List.of(impacts.circle(0), impacts.id(0))).containsExactlyInAnyOrder(0, 1);
     double side = impacts.circle(0) == 0 ? 1 : -1;
     assertThat(side * impacts.nx(0)).isCloseTo(first.normal().x(), offset(1e-13));
@@ -273,7 +273,7 @@ class ExamplesTest {
       table.frame();
       assertThat(frames++).isLessThan(600);
     }
-    assertThat(world.impacts().kind(0)).isEqualTo(ObstacleKind.PEG);
+    assertThat(world.impacts().kind(0)).isEqualTo(Kind.PEG);
     assertThat(world.impacts().circle(0)).isZero();
     assertThat(world.x(0)).isEqualTo(2.54 / 4);
     assertThat(world.vx(0)).isZero();
@@ -317,8 +317,8 @@ class ExamplesTest {
 
   private static double energy(World world) {
     double sum = 0;
-    for (int id = 0; id < world.idLimit(ObstacleKind.CIRCLE); id++) {
-      if (world.contains(ObstacleKind.CIRCLE, id)) {
+    for (int id = 0; id < world.idLimit(Kind.CIRCLE); id++) {
+      if (world.contains(Kind.CIRCLE, id)) {
         sum += world.vx(id) * world.vx(id) + world.vy(id) * world.vy(id);
       }
     }
@@ -327,9 +327,9 @@ class ExamplesTest {
 
   private static double gap(World world) {
     double least = Double.POSITIVE_INFINITY;
-    for (int i = 0; i < world.idLimit(ObstacleKind.CIRCLE); i++) {
+    for (int i = 0; i < world.idLimit(Kind.CIRCLE); i++) {
       for (int j = 0; j < i; j++) {
-        if (world.contains(ObstacleKind.CIRCLE, i) && world.contains(ObstacleKind.CIRCLE, j)) {
+        if (world.contains(Kind.CIRCLE, i) && world.contains(Kind.CIRCLE, j)) {
           double distance = Math.hypot(world.x(i) - world.x(j), world.y(i) - world.y(j));
           least = Math.min(least, distance - world.radius(i) - world.radius(j));
         }
@@ -377,8 +377,8 @@ class ExamplesTest {
     for (int i = 0; i < 6_000; i++) {
       double before = world.vx(0);
       game.frame();
-      if (log.size() == 1 && log.kind(0) == ObstacleKind.LINE && log.id(0) == 0) {
-        double u = world.velocity(ObstacleKind.LINE, 0).x();
+      if (log.size() == 1 && log.kind(0) == Kind.LINE && log.id(0) == 0) {
+        double u = world.velocity(Kind.LINE, 0).x();
         assertThat(world.vx(0)).as("frame %d", i).isCloseTo(-before + 2 * u, offset(1e-12));
         swings += u > 0.1 ? 1 : 0;
       }

@@ -5,7 +5,7 @@ import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.assertThatThrownBy;
 
 import dev.carom.ImpactLog;
-import dev.carom.ObstacleKind;
+import dev.carom.Kind;
 import dev.carom.Scene;
 import dev.carom.World;
 import dev.carom.bench.experiment.Crosses;
@@ -20,7 +20,7 @@ class SplitWorldTest {
 
   /** A row of a log; equal if all its bits are. */
   private record Row(
-      double time, int circle, ObstacleKind kind, int obstacle, Object feature, List<Double> rest) {
+      double time, int circle, Kind kind, int obstacle, Object feature, List<Double> rest) {
 
     static List<Row> of(ImpactLog log) {
       List<Row> rows = new ArrayList<>();
@@ -59,8 +59,8 @@ class SplitWorldTest {
 
   private static List<Double> positions(World world) {
     List<Double> positions = new ArrayList<>();
-    for (int id = 0; id < world.idLimit(ObstacleKind.CIRCLE); id++) {
-      if (world.contains(ObstacleKind.CIRCLE, id)) {
+    for (int id = 0; id < world.idLimit(Kind.CIRCLE); id++) {
+      if (world.contains(Kind.CIRCLE, id)) {
         positions.addAll(List.of(world.x(id), world.y(id), world.vx(id), world.vy(id)));
       }
     }

@@ -4,8 +4,8 @@ package dev.carom.bench.fuzz;
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.assertThatThrownBy;
 
+import dev.carom.Kind;
 import dev.carom.Line;
-import dev.carom.ObstacleKind;
 import dev.carom.Response;
 import dev.carom.Scene;
 import dev.carom.SceneBuilder;
@@ -46,7 +46,7 @@ class ChecksTest extends FlightChecks {
   private static World withMovingThings() {
     SceneBuilder scene = box().line(10, 5, 10, 95).velocity(20, 0).peg(95, 90, 3).velocity(-30, 0);
     World world = new World(scene.circle(20, 50, 5, 1, 0).build());
-    world.setResponse(ObstacleKind.CIRCLE, 0, Response.SENSOR); // nothing happens to it
+    world.setResponse(Kind.CIRCLE, 0, Response.SENSOR); // nothing happens to it
     world.advanceTo(1);
     return world;
   }
@@ -102,7 +102,7 @@ class ChecksTest extends FlightChecks {
     world.setOneWay(0, true);
     check(world, flight(60, 50, 40, 50));
     assertFound("THROUGH", world, flight(40, 50, 60, 50));
-    world.setResponse(ObstacleKind.LINE, 0, Response.SENSOR);
+    world.setResponse(Kind.LINE, 0, Response.SENSOR);
     check(world, flight(40, 50, 60, 50));
   }
 
@@ -139,7 +139,7 @@ class ChecksTest extends FlightChecks {
       world.step(3);
 
       energy.end();
-      world.setRestitution(ObstacleKind.CIRCLE, 0, 1);
+      world.setRestitution(Kind.CIRCLE, 0, 1);
       assertThatThrownBy(energy::end)
           .isInstanceOf(FindingException.class)
           .hasMessageContaining("energy of circle 0 went from 81.0");

@@ -4,7 +4,7 @@ package dev.carom.bench.fuzz;
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.assertThatThrownBy;
 
-import dev.carom.ObstacleKind;
+import dev.carom.Kind;
 import dev.carom.Outcome;
 import dev.carom.Scene;
 import dev.carom.SceneBuilder;
@@ -145,7 +145,7 @@ class ChecksUnderGravityTest extends FlightChecks {
     Timeline timeline = world.record(10);
     world.step(3);
     deep.read(world, timeline);
-    assertThat(world.impacts().kind(2)).isEqualTo(ObstacleKind.CIRCLE);
+    assertThat(world.impacts().kind(2)).isEqualTo(Kind.CIRCLE);
     assertThat(deep.isDeep(0)).isTrue();
     deep.read(world, timeline);
     assertThat(deep.isDeep(0)).isTrue();
@@ -219,7 +219,7 @@ class ChecksUnderGravityTest extends FlightChecks {
     EnergyCheck energy = new EnergyCheck(world, 1);
     energy.begin();
     world.step(0.01);
-    assertThat(world.impacts().kind(0)).isEqualTo(ObstacleKind.PEG);
+    assertThat(world.impacts().kind(0)).isEqualTo(Kind.PEG);
     energy.end();
     world.setVelocity(0, 0, 5);
     assertThatThrownBy(energy::end).hasMessageContaining("energy of circle 0 went from 944.0");

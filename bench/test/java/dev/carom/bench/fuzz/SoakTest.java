@@ -32,8 +32,8 @@ class SoakTest {
   }
 
   @ParameterizedTest
-  @EnumSource(EndScene.Kind.class)
-  void scenesOfTheEndRuleHold(EndScene.Kind kind) throws FindingException {
+  @EnumSource(EndScene.Layout.class)
+  void scenesOfTheEndRuleHold(EndScene.Layout kind) throws FindingException {
     assertThat(Soak.run(kind, 1, 2_000, round -> {}).impacts()).isGreaterThanOrEqualTo(2_000);
   }
 

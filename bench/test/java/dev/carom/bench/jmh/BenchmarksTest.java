@@ -3,7 +3,7 @@ package dev.carom.bench.jmh;
 
 import static org.assertj.core.api.Assertions.assertThat;
 
-import dev.carom.ObstacleKind;
+import dev.carom.Kind;
 import java.util.stream.Stream;
 import org.junit.jupiter.api.Test;
 import org.openjdk.jmh.annotations.Benchmark;
@@ -101,7 +101,7 @@ class BenchmarksTest {
     }
     assertThat(edits.steerOne(steered)).isTrue();
     assertThat(edits.setVelocity(steered).circleCount()).isEqualTo(400);
-    assertThat(steered.world.idLimit(ObstacleKind.LINE)).isEqualTo(400);
+    assertThat(steered.world.idLimit(Kind.LINE)).isEqualTo(400);
     assertThat(steered.world.impacts().size()).isPositive();
 
     EditBenchmark.Thousand thousand = new EditBenchmark.Thousand();

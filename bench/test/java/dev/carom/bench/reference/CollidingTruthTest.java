@@ -5,7 +5,7 @@ import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.within;
 
 import dev.carom.Feature;
-import dev.carom.ObstacleKind;
+import dev.carom.Kind;
 import dev.carom.Scene;
 import dev.carom.SceneBuilder;
 import dev.carom.World;
@@ -89,8 +89,7 @@ class CollidingTruthTest {
     List<Hit> hits = truth(scene, 2).proofs().get(0).hits();
     assertThat(hits)
         .containsExactly(
-            new Hit(0, ObstacleKind.CIRCLE, 2, Feature.CIRCLE),
-            new Hit(1, ObstacleKind.CIRCLE, 3, Feature.CIRCLE));
+            new Hit(0, Kind.CIRCLE, 2, Feature.CIRCLE), new Hit(1, Kind.CIRCLE, 3, Feature.CIRCLE));
   }
 
   /** The sum over the start values of |d place / d ln q|, by differences of runs in many digits. */

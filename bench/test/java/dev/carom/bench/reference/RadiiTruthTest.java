@@ -4,7 +4,7 @@ package dev.carom.bench.reference;
 import static org.assertj.core.api.Assertions.assertThat;
 
 import dev.carom.Feature;
-import dev.carom.ObstacleKind;
+import dev.carom.Kind;
 import java.io.BufferedReader;
 import java.io.IOException;
 import java.io.InputStream;
@@ -65,7 +65,7 @@ class RadiiTruthTest {
   }
 
   private static int column(Hit hit) {
-    if (hit.kind() == ObstacleKind.WALL) {
+    if (hit.kind() == Kind.WALL) {
       return 4;
     }
     return hit.feature() == Feature.SIDE ? 1 : hit.feature() == Feature.START ? 2 : 3;

@@ -6,7 +6,7 @@ import static org.assertj.core.api.Assertions.assertThatThrownBy;
 import static org.assertj.core.api.Assertions.within;
 
 import dev.carom.Feature;
-import dev.carom.ObstacleKind;
+import dev.carom.Kind;
 import dev.carom.Response;
 import dev.carom.Scene;
 import dev.carom.SceneBuilder;
@@ -55,8 +55,7 @@ class TruthTest {
     Truth truth = truth(scene, 20);
     assertThat(truth.proofs().get(0).hits())
         .containsExactly(
-            new Hit(0, ObstacleKind.WALL, 1, Feature.SIDE),
-            new Hit(0, ObstacleKind.WALL, 3, Feature.SIDE));
+            new Hit(0, Kind.WALL, 1, Feature.SIDE), new Hit(0, Kind.WALL, 3, Feature.SIDE));
     assertThat(truth.vx(20, 0)).isEqualTo(-0.3);
     assertThat(truth.vy(20, 0)).isEqualTo(-0.3);
   }

@@ -5,8 +5,8 @@ import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.within;
 
 import dev.carom.Bounds;
+import dev.carom.Kind;
 import dev.carom.Line;
-import dev.carom.ObstacleKind;
 import dev.carom.Scene;
 import dev.carom.Vec2;
 import org.junit.jupiter.api.Test;
@@ -29,13 +29,13 @@ class AmongMovingLinesTest {
     int others = moving.lineCount() - MOVING;
     assertThat(resting.lineCount()).isEqualTo(others + MOVING);
     for (int k = 0; k < others; k++) {
-      assertThat(moving.velocity(ObstacleKind.LINE, k)).isEqualTo(Vec2.ZERO);
+      assertThat(moving.velocity(Kind.LINE, k)).isEqualTo(Vec2.ZERO);
       assertThat(resting.line(k)).isEqualTo(moving.line(k));
     }
     for (int k = others; k < others + MOVING; k++) {
-      Vec2 u = moving.velocity(ObstacleKind.LINE, k);
+      Vec2 u = moving.velocity(Kind.LINE, k);
       assertThat(u.length()).isBetween(1 - ROUNDING, 10 + ROUNDING);
-      assertThat(resting.velocity(ObstacleKind.LINE, k)).isEqualTo(Vec2.ZERO);
+      assertThat(resting.velocity(Kind.LINE, k)).isEqualTo(Vec2.ZERO);
       Line start = moving.line(k);
       Line rest = resting.line(k);
       double half = FRAMES / 2.0;

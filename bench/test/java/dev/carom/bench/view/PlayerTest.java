@@ -6,8 +6,8 @@ import static org.assertj.core.api.Assertions.assertThatThrownBy;
 import static org.assertj.core.api.Assertions.offset;
 
 import dev.carom.Circle;
+import dev.carom.Kind;
 import dev.carom.Line;
-import dev.carom.ObstacleKind;
 import dev.carom.Scene;
 import dev.carom.Vec2;
 import dev.carom.World;
@@ -124,7 +124,7 @@ class PlayerTest {
     assertThat(moving.scene().velocity(0)).isEqualTo(new Vec2(6, 0));
     moving.seek(4);
     assertThat(moving.scene().line(0)).isEqualTo(new Line(12, 0, 12, 20));
-    assertThat(Grip.at(moving, new Vec2(12, 10), 1).kind()).isEqualTo(ObstacleKind.LINE);
+    assertThat(Grip.at(moving, new Vec2(12, 10), 1).kind()).isEqualTo(Kind.LINE);
     moving.moveLine(0, new Line(22, 0, 22, 20));
     moving.stepFrame();
     assertThat(moving.scene().line(0)).isEqualTo(new Line(25, 0, 25, 20));
@@ -136,7 +136,7 @@ class PlayerTest {
     player.addCircle(70, 50, 5, 0, 0);
     player.addPeg(20, 50, 2);
     run(4);
-    player.remove(ObstacleKind.CIRCLE, 0);
+    player.remove(Kind.CIRCLE, 0);
     player.moveCircle(1, 71, 50);
     run(4);
     player.seek(2);
@@ -148,7 +148,7 @@ class PlayerTest {
     assertThat(player.lastJump(1)).isEqualTo(Double.NEGATIVE_INFINITY);
     assertThat(player.look().x(1)).isEqualTo(70);
     player.seek(3);
-    player.remove(ObstacleKind.CIRCLE, 0);
+    player.remove(Kind.CIRCLE, 0);
     player.seek(3);
     assertThat(player.circleIds()).containsExactly(1);
   }
@@ -157,7 +157,7 @@ class PlayerTest {
   @Test
   void aLookIntoThePastKeepsIds() {
     player.addCircle(70, 50, 5, 0, 0);
-    player.remove(ObstacleKind.CIRCLE, 0);
+    player.remove(Kind.CIRCLE, 0);
     run(4);
     player.seek(2);
     Grip grip = Grip.at(player, new Vec2(70, 50), 2);

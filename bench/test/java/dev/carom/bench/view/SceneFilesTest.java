@@ -3,7 +3,7 @@ package dev.carom.bench.view;
 
 import static org.assertj.core.api.Assertions.assertThat;
 
-import dev.carom.ObstacleKind;
+import dev.carom.Kind;
 import dev.carom.Scene;
 import java.nio.file.Files;
 import java.nio.file.Path;
@@ -73,7 +73,7 @@ class SceneFilesTest {
     Scene saved = Scene.read(file);
     assertThat(saved.circle(0).x()).isEqualTo(90);
     assertThat(saved.velocity(0).x()).isEqualTo(-8);
-    assertThat(saved.restitution(ObstacleKind.LINE, 0)).isEqualTo(0.5);
+    assertThat(saved.restitution(Kind.LINE, 0)).isEqualTo(0.5);
     player.restart();
     player.setRunning(true);
     files.open();

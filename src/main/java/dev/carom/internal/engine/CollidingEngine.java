@@ -18,7 +18,7 @@ import dev.carom.internal.state.MovingCircle;
 import dev.carom.internal.state.ObstacleTable;
 import dev.carom.internal.state.SceneData;
 import dev.carom.internal.util.Index;
-import dev.carom.internal.util.Kind;
+import dev.carom.internal.util.KindNumber;
 import java.util.Arrays;
 import java.util.Collection;
 import java.util.List;
@@ -212,7 +212,7 @@ public final class CollidingEngine extends Engine {
     int most = log.circle(0);
     for (int row = 0; row < log.size(); row++) {
       impacts[log.circle(row)]++;
-      if (log.kind(row) == Kind.CIRCLE) {
+      if (log.kind(row) == KindNumber.CIRCLE) {
         impacts[log.obstacle(row)]++;
       }
     }

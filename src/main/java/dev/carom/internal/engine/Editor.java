@@ -12,7 +12,7 @@ import dev.carom.internal.state.ObstacleTable;
 import dev.carom.internal.state.SceneData;
 import dev.carom.internal.state.SizeLimits;
 import dev.carom.internal.util.Check;
-import dev.carom.internal.util.Kind;
+import dev.carom.internal.util.KindNumber;
 import dev.carom.internal.util.Refusal;
 import java.util.ArrayList;
 import java.util.List;
@@ -91,13 +91,13 @@ public final class Editor {
   }
 
   public int addCircle(double x, double y, double radius, double vx, double vy, double now) {
-    checkId(Kind.CIRCLE, registry.idLimit(), CircleRegistry.ID_LIMIT);
+    checkId(KindNumber.CIRCLE, registry.idLimit(), CircleRegistry.ID_LIMIT);
     try {
       checkPlace(x, y);
       limits.checkRadius(radius, x, y, haveLines());
       checkVelocity(vx, vy);
     } catch (IllegalArgumentException e) {
-      throw named(e, Kind.CIRCLE, registry.idLimit());
+      throw named(e, KindNumber.CIRCLE, registry.idLimit());
     }
     int slot = registry.add();
     body.start(slot, x, y, radius + 0.0, vx, vy, 1); // 0 for -0
@@ -136,7 +136,7 @@ public final class Editor {
     if (id >= limit) {
       throw new IllegalStateException(
           "%s cannot be added: all ids below %s were given, and none is reused"
-              .formatted(Kind.nameOf(kind, id), limit));
+              .formatted(KindNumber.nameOf(kind, id), limit));
     }
   }
 
@@ -163,12 +163,12 @@ public final class Editor {
    * id that it would get.
    */
   private static IllegalArgumentException named(IllegalArgumentException e, int kind, int id) {
-    return Refusal.of(kind == Kind.WALL ? "bounds" : Kind.nameOf(kind, id), e);
+    return Refusal.of(kind == KindNumber.WALL ? "bounds" : KindNumber.nameOf(kind, id), e);
   }
 
   private IllegalArgumentException named(IllegalArgumentException e, int code) {
     return Codes.isCircle(code)
-        ? named(e, Kind.CIRCLE, registry.id(Codes.slot(code)))
+        ? named(e, KindNumber.CIRCLE, registry.id(Codes.slot(code)))
         : named(e, Codes.kind(code), Codes.index(code));
   }
 
@@ -213,7 +213,7 @@ public final class Editor {
     ObstacleRows rows = obstacles.ofKind(kind);
     checkId(kind, rows.count(), Codes.limit(kind));
     check(rows, rows.end);
-    if (kind == Kind.LINE) {
+    if (kind == KindNumber.LINE) {
       checkNoPoint(rows.end);
     }
     int code = obstacles.add(kind, numbers);
@@ -230,7 +230,7 @@ public final class Editor {
   private void checkNoPoint(int line) {
     for (int slot : registry.slots()) {
       if (circles.radius(slot) == 0) {
-        String name = "radius of " + Kind.nameOf(Kind.CIRCLE, registry.id(slot));
+        String name = "radius of " + KindNumber.nameOf(KindNumber.CIRCLE, registry.id(slot));
         throw named(Check.refused(name, 0.0, "more than 0, for a line to be added"), line);
       }
     }

@@ -4,12 +4,12 @@ package dev.carom.internal.engine;
 import dev.carom.internal.state.CircleRegistry;
 import dev.carom.internal.state.Codes;
 import dev.carom.internal.state.ObstacleTable;
-import dev.carom.internal.util.Kind;
+import dev.carom.internal.util.KindNumber;
 
 /**
  * The ids by which callers name obstacles and circles. The ids of each kind begin at 0 and are
- * never reused. Internally a {@link Kind} and an id (for a circle, its slot) form one code, see
- * {@link Codes} and {@link CircleRegistry}.
+ * never reused. Internally a {@link KindNumber} and an id (for a circle, its slot) form one code,
+ * see {@link Codes} and {@link CircleRegistry}.
  */
 public final class Handles {
 
@@ -23,21 +23,21 @@ public final class Handles {
 
   /** Whether an id, which may be any int, exists. */
   public boolean contains(int kind, int id) {
-    return kind == Kind.CIRCLE
+    return kind == KindNumber.CIRCLE
         ? registry.slot(id) >= 0
         : id >= 0 && id < end(kind) && obstacles.isThere(code(kind, id));
   }
 
   /** One more than the largest id ever given. */
   public int end(int kind) {
-    return kind == Kind.CIRCLE ? registry.idLimit() : obstacles.end(kind);
+    return kind == KindNumber.CIRCLE ? registry.idLimit() : obstacles.end(kind);
   }
 
   /** The slot of a circle; refuses an id that does not exist. */
   public int circle(int id) {
     int slot = registry.slot(id);
     if (slot < 0) {
-      throw missing(Kind.CIRCLE, id);
+      throw missing(KindNumber.CIRCLE, id);
     }
     return slot;
   }
@@ -51,7 +51,7 @@ public final class Handles {
   }
 
   private int code(int kind, int id) {
-    return kind == Kind.CIRCLE ? Codes.circle(registry.slot(id)) : Codes.of(kind, id);
+    return kind == KindNumber.CIRCLE ? Codes.circle(registry.slot(id)) : Codes.of(kind, id);
   }
 
   private IndexOutOfBoundsException missing(int kind, int id) {
@@ -60,6 +60,6 @@ public final class Handles {
     String others = end == 0 ? "there is none" : "expected an id from 0 to " + (end - 1);
     String reason = removed ? "it was removed" : others;
     return new IndexOutOfBoundsException(
-        "%s does not exist: %s".formatted(Kind.nameOf(kind, id), reason));
+        "%s does not exist: %s".formatted(KindNumber.nameOf(kind, id), reason));
   }
 }

@@ -4,7 +4,7 @@ package dev.carom.internal.io;
 import dev.carom.internal.state.SceneData;
 import dev.carom.internal.state.SceneDataBuilder;
 import dev.carom.internal.util.IntList;
-import dev.carom.internal.util.Kind;
+import dev.carom.internal.util.KindNumber;
 import dev.carom.internal.util.Refusal;
 import java.io.BufferedReader;
 import java.io.IOException;
@@ -54,8 +54,8 @@ final class SceneReader {
     try {
       switch (row.kind()) {
         case WALL -> wall(row);
-        case LINE -> builder.obstacle(Kind.LINE, row.numbers());
-        case PEG -> builder.obstacle(Kind.PEG, row.numbers());
+        case LINE -> builder.obstacle(KindNumber.LINE, row.numbers());
+        case PEG -> builder.obstacle(KindNumber.PEG, row.numbers());
         case CIRCLE -> circle(row);
         case COLLIDE -> collide(row);
         case GRAVITY -> gravity(row);

@@ -14,7 +14,7 @@ import dev.carom.internal.state.SceneDataBuilder;
 import dev.carom.internal.state.SizeLimits;
 import dev.carom.internal.state.WorldState;
 import dev.carom.internal.util.Check;
-import dev.carom.internal.util.Kind;
+import dev.carom.internal.util.KindNumber;
 import java.io.IOException;
 import java.util.ArrayList;
 import java.util.List;
@@ -169,7 +169,7 @@ final class SnapshotFields {
     List<IgnoreList> jams = new ArrayList<>();
     for (int i = 0; i < count; i++) {
       int[] entries = given == null || given[i] == null ? new int[0] : given[i].entries();
-      int size = f.count(entries.length, Codes.limit(Kind.LINE));
+      int size = f.count(entries.length, Codes.limit(KindNumber.LINE));
       jams.add(IgnoreList.of(f.integers(entries, size, 1)));
     }
     return jams.toArray(IgnoreList[]::new);

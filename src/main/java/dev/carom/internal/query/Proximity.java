@@ -10,7 +10,7 @@ import dev.carom.internal.state.ObstacleRows;
 import dev.carom.internal.state.ObstacleTable;
 import dev.carom.internal.util.Index;
 import dev.carom.internal.util.IntList;
-import dev.carom.internal.util.Kind;
+import dev.carom.internal.util.KindNumber;
 import java.util.function.DoubleSupplier;
 import java.util.function.IntConsumer;
 import java.util.function.IntPredicate;
@@ -51,7 +51,7 @@ public final class Proximity {
   }
 
   private void search(NearestItem nearest, int kind, double x, double y) {
-    BoxTree tree = kind == Kind.WALL ? null : index.tree(kind);
+    BoxTree tree = kind == KindNumber.WALL ? null : index.tree(kind);
     if (tree == null) {
       obstacles.codes(kind).forEach(nearest::look);
       return;
@@ -87,7 +87,7 @@ public final class Proximity {
     double now = clock.getAsDouble();
     IntList found = new IntList();
     for (int kind = from; kind < to; kind++) {
-      BoxTree tree = kind == Kind.WALL ? null : index.tree(kind);
+      BoxTree tree = kind == KindNumber.WALL ? null : index.tree(kind);
       if (tree == null) {
         obstacles.codes(kind).forEach(found::add);
       } else {

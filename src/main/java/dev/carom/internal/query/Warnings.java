@@ -11,7 +11,7 @@ import dev.carom.internal.state.SceneData;
 import dev.carom.internal.sweep.LineShape;
 import dev.carom.internal.sweep.PegShape;
 import dev.carom.internal.util.IntList;
-import dev.carom.internal.util.Kind;
+import dev.carom.internal.util.KindNumber;
 import java.util.ArrayList;
 import java.util.Collections;
 import java.util.List;
@@ -183,7 +183,7 @@ public final class Warnings {
       ObstacleRows rows = scene.obstacles.of(code);
       int k = rows.offset(code);
       double distance = rows.shape.distanceFromSpine(rows.values, k, scene.x(i), scene.y(i));
-      String name = Kind.nameOf(Codes.kind(code), Codes.index(code));
+      String name = KindNumber.nameOf(Codes.kind(code), Codes.index(code));
       double least = r + rows.shape.radius(rows.values, k);
       return text(
           i, name, distance, least, rows.shape.hasRadius ? "the sum of both radii" : "its radius");
@@ -191,7 +191,7 @@ public final class Warnings {
     int j = Codes.slot(code);
     double distance = distance(scene, i, scene.x(j), scene.y(j));
     double sum = r + scene.radius(j);
-    return text(i, Kind.nameOf(Kind.CIRCLE, j), distance, sum, "the sum of both radii");
+    return text(i, KindNumber.nameOf(KindNumber.CIRCLE, j), distance, sum, "the sum of both radii");
   }
 
   private static double distance(SceneData scene, int i, double x, double y) {
@@ -211,7 +211,7 @@ public final class Warnings {
   private static String text(int i, String thing, double distance, double least, String what) {
     return "%s: distance from %s is %s: expected at least %s, %s"
         .formatted(
-            Kind.nameOf(Kind.CIRCLE, i),
+            KindNumber.nameOf(KindNumber.CIRCLE, i),
             thing,
             Math.min(distance, Math.nextDown(least)),
             least,

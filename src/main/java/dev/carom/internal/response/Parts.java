@@ -13,7 +13,7 @@ import dev.carom.internal.sweep.PegShape;
 import dev.carom.internal.util.DoubleList;
 import dev.carom.internal.util.Index;
 import dev.carom.internal.util.IntList;
-import dev.carom.internal.util.Kind;
+import dev.carom.internal.util.KindNumber;
 import dev.carom.internal.util.Part;
 import java.util.Arrays;
 import java.util.stream.IntStream;
@@ -73,7 +73,7 @@ final class Parts {
   private int search;
 
   /** The number of the first part of each code, by kind and index; NONE before it is needed. */
-  private final int[][] numbers = new int[Kind.CIRCLE + 1][0];
+  private final int[][] numbers = new int[KindNumber.CIRCLE + 1][0];
 
   private final IntList codes = new IntList();
 

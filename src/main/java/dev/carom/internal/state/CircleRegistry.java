@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 package dev.carom.internal.state;
 
-import dev.carom.internal.util.Kind;
+import dev.carom.internal.util.KindNumber;
 import java.util.Arrays;
 
 /**
@@ -14,7 +14,7 @@ import java.util.Arrays;
 public final class CircleRegistry {
 
   /** The limit of ids: the code of the largest id is the largest int. */
-  public static final int ID_LIMIT = Codes.limit(Kind.CIRCLE);
+  public static final int ID_LIMIT = Codes.limit(KindNumber.CIRCLE);
 
   private static final int NONE = -1;
 

@@ -2,12 +2,12 @@
 package dev.carom.internal.state;
 
 import dev.carom.internal.sweep.WallSweep;
-import dev.carom.internal.util.Kind;
+import dev.carom.internal.util.KindNumber;
 
 /**
- * The codec of codes: one int for a {@link Kind} and the index of an obstacle of that kind, or the
- * slot of a moving circle. Each kind has a range of codes. The ranges stand in the order in which
- * simultaneous impacts are resolved: walls, lines, pegs, moving circles. No code is negative.
+ * The codec of codes: one int for a {@link KindNumber} and the index of an obstacle of that kind,
+ * or the slot of a moving circle. Each kind has a range of codes. The ranges stand in the order in
+ * which simultaneous impacts are resolved: walls, lines, pegs, moving circles. No code is negative.
  */
 public final class Codes {
 
@@ -21,7 +21,7 @@ public final class Codes {
   /** The number of walls of bounds, which have the first codes, used or not. */
   public static final int WALLS = 4;
 
-  /** Where the range of each {@link Kind} begins; the last one ends with the ints. */
+  /** Where the range of each {@link KindNumber} begins; the last one ends with the ints. */
   private static final int[] FIRST = {0, WALLS, 1 << 28, 1 << 29};
 
   private static final int FIRST_LINE = WALLS;
@@ -37,7 +37,7 @@ public final class Codes {
 
   private Codes() {}
 
-  /** The code of number i of a {@link Kind}. */
+  /** The code of number i of a {@link KindNumber}. */
   public static int of(int kind, int i) {
     return FIRST[kind] + i;
   }
@@ -55,11 +55,13 @@ public final class Codes {
     return FIRST_CIRCLE + slot;
   }
 
-  /** The {@link Kind} of a code. */
+  /** The {@link KindNumber} of a code. */
   public static int kind(int code) {
     return code < FIRST_LINE
-        ? Kind.WALL
-        : code < FIRST_PEG ? Kind.LINE : code < FIRST_CIRCLE ? Kind.PEG : Kind.CIRCLE;
+        ? KindNumber.WALL
+        : code < FIRST_PEG
+            ? KindNumber.LINE
+            : code < FIRST_CIRCLE ? KindNumber.PEG : KindNumber.CIRCLE;
   }
 
   /** The index of a code within its kind. */
@@ -92,9 +94,9 @@ public final class Codes {
     return (long) code << RANK_SHIFT | circle;
   }
 
-  /** How many codes a {@link Kind} has. */
+  /** How many codes a {@link KindNumber} has. */
   public static int limit(int kind) {
-    return kind == Kind.CIRCLE
+    return kind == KindNumber.CIRCLE
         ? Integer.MAX_VALUE - FIRST_CIRCLE + 1
         : FIRST[kind + 1] - FIRST[kind];
   }

@@ -2,7 +2,7 @@
 package dev.carom.internal.state;
 
 import dev.carom.internal.sweep.Coordinates;
-import dev.carom.internal.util.Kind;
+import dev.carom.internal.util.KindNumber;
 import dev.carom.internal.util.Part;
 import java.util.Arrays;
 
@@ -138,7 +138,7 @@ public final class ImpactRows {
   /**
    * Adds a row, to be completed by {@link #set}.
    *
-   * @param kind the {@link Kind} of the obstacle
+   * @param kind the {@link KindNumber} of the obstacle
    * @param feature the feature of the obstacle
    */
   public void add(double time, int circle, int kind, int obstacle, int feature) {
@@ -160,7 +160,7 @@ public final class ImpactRows {
 
   /** Adds a row of two circles, to be completed by {@link #set}. */
   public void addPair(double time, int circle, int other) {
-    add(time, circle, Kind.CIRCLE, other, Part.CIRCLE);
+    add(time, circle, KindNumber.CIRCLE, other, Part.CIRCLE);
   }
 
   /** Completes the row added last, with a normal of any length and v.n. */

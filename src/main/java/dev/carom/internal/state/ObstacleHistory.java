@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 package dev.carom.internal.state;
 
-import dev.carom.internal.util.Kind;
+import dev.carom.internal.util.KindNumber;
 import java.util.ArrayDeque;
 import java.util.Arrays;
 import java.util.Map;
@@ -69,7 +69,7 @@ final class ObstacleHistory {
   private final Queue<Integer> removed = new ArrayDeque<>();
 
   /** One more than the largest code of those that were dropped, of each kind. */
-  private final int[] ends = new int[Kind.CIRCLE];
+  private final int[] ends = new int[KindNumber.CIRCLE];
 
   /** Begins a recording with the current obstacles. */
   ObstacleHistory(ObstacleTable now) {

@@ -2,7 +2,7 @@
 package dev.carom.internal.state;
 
 import dev.carom.internal.sweep.ObstacleShape;
-import dev.carom.internal.util.Kind;
+import dev.carom.internal.util.KindNumber;
 import java.util.Arrays;
 
 /**
@@ -56,7 +56,7 @@ public final class ObstacleRows {
     this.shape = shape;
     width = shape.row;
     restitution = shape.restitution;
-    codeOfRow0 = kind == Kind.LINE ? 0 : first();
+    codeOfRow0 = kind == KindNumber.LINE ? 0 : first();
     end = first();
     values = new double[offset(end)];
     Arrays.fill(values, Double.NaN);

@@ -6,7 +6,7 @@ import dev.carom.internal.sweep.LineShape;
 import dev.carom.internal.sweep.ObstacleShape;
 import dev.carom.internal.sweep.PegShape;
 import dev.carom.internal.util.Check;
-import dev.carom.internal.util.Kind;
+import dev.carom.internal.util.KindNumber;
 import dev.carom.internal.util.Part;
 import java.util.Arrays;
 import java.util.List;
@@ -19,7 +19,7 @@ import java.util.stream.IntStream;
  */
 public final class ObstacleTable {
 
-  /** The shape of each kind that has rows, by its {@link Kind}; walls have none. */
+  /** The shape of each kind that has rows, by its {@link KindNumber}; walls have none. */
   private static final ObstacleShape[] SHAPES = {null, LineShape.INSTANCE, PegShape.INSTANCE};
 
   /** The most numbers that an obstacle of any kind has, its restitution not counted. */
@@ -36,7 +36,7 @@ public final class ObstacleTable {
   /** The rows of each kind, by the {@linkplain Codes#part part} of the codes. */
   private final ObstacleRows[] byPart = new ObstacleRows[Codes.PARTS];
 
-  /** The rows of each kind, by its {@link Kind}; null for the walls. */
+  /** The rows of each kind, by its {@link KindNumber}; null for the walls. */
   private final ObstacleRows[] byKind = new ObstacleRows[SHAPES.length];
 
   /** The kinds that have rows, in the order of their codes. */
@@ -61,8 +61,8 @@ public final class ObstacleTable {
   private ObstacleTable(double[] walls, ObstacleRows... rows) {
     this.walls = walls;
     kinds = List.of(rows);
-    System.arraycopy(rows, 0, byKind, Kind.LINE, rows.length);
-    lines = byKind[Kind.LINE];
+    System.arraycopy(rows, 0, byKind, KindNumber.LINE, rows.length);
+    lines = byKind[KindNumber.LINE];
     for (ObstacleRows each : rows) {
       byPart[Codes.part(each.first())] = each;
     }
@@ -79,7 +79,7 @@ public final class ObstacleTable {
 
   /** The kinds that have rows, in the order of their codes. */
   public static IntStream kindsOfRows() {
-    return IntStream.range(Kind.LINE, SHAPES.length);
+    return IntStream.range(KindNumber.LINE, SHAPES.length);
   }
 
   /** The number of doubles in a row of a kind. */
@@ -90,7 +90,7 @@ public final class ObstacleTable {
   /** Refuses numbers that cannot be the row of obstacle i of a kind. */
   public static void checkRow(int kind, int i, double... row) {
     for (double number : row) {
-      Check.finite("a number of " + Kind.nameOf(kind, i), number);
+      Check.finite("a number of " + KindNumber.nameOf(kind, i), number);
     }
     SHAPES[kind].checkRadius(row);
     Check.notNegative("restitution", row[SHAPES[kind].restitution]);
@@ -187,15 +187,15 @@ public final class ObstacleTable {
     return Codes.isWall(code) ? walls != null : !isGone(code);
   }
 
-  /** One more than the number of the last obstacle of a {@link Kind}, gone or not. */
+  /** One more than the number of the last obstacle of a {@link KindNumber}, gone or not. */
   public int end(int kind) {
     int walled = walls == null ? 0 : Codes.WALLS;
-    return kind == Kind.WALL ? walled : ofKind(kind).count();
+    return kind == KindNumber.WALL ? walled : ofKind(kind).count();
   }
 
-  /** The codes of the live obstacles of a {@link Kind}. */
+  /** The codes of the live obstacles of a {@link KindNumber}. */
   public IntStream codes(int kind) {
-    return kind == Kind.WALL
+    return kind == KindNumber.WALL
         ? IntStream.range(0, end(kind))
         : ofKind(kind).present().stream(ofKind(kind)::isGone);
   }

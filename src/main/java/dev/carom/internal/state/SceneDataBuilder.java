@@ -3,7 +3,7 @@ package dev.carom.internal.state;
 
 import dev.carom.internal.util.Check;
 import dev.carom.internal.util.DoubleList;
-import dev.carom.internal.util.Kind;
+import dev.carom.internal.util.KindNumber;
 import dev.carom.internal.util.Refusal;
 import java.util.SortedMap;
 import java.util.TreeMap;
@@ -40,7 +40,7 @@ public final class SceneDataBuilder {
     last = Codes.LEFT;
   }
 
-  /** Adds an obstacle of a {@link Kind}, by the numbers of its shape. */
+  /** Adds an obstacle of a {@link KindNumber}, by the numbers of its shape. */
   public void obstacle(int kind, double... numbers) {
     check(obstacles.ofKind(kind).end, () -> ObstacleTable.shape(kind).check(numbers));
     last = obstacles.add(kind, numbers);
@@ -203,7 +203,7 @@ public final class SceneDataBuilder {
       checks.run();
     } catch (IllegalArgumentException e) {
       int i = Codes.index(code);
-      throw Refusal.of(Codes.isWall(code) ? "bounds" : Kind.nameOf(Codes.kind(code), i), e);
+      throw Refusal.of(Codes.isWall(code) ? "bounds" : KindNumber.nameOf(Codes.kind(code), i), e);
     }
   }
 }

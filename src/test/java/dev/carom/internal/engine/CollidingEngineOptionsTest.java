@@ -6,7 +6,7 @@ import static org.assertj.core.api.Assertions.assertThat;
 import dev.carom.CollidingScenes;
 import dev.carom.ImpactLog;
 import dev.carom.Internals;
-import dev.carom.ObstacleKind;
+import dev.carom.Kind;
 import dev.carom.PlainWorld;
 import dev.carom.Run;
 import dev.carom.Scene;
@@ -153,10 +153,10 @@ class CollidingEngineOptionsTest {
 
   /** A row in which the lower number comes first; the contact point is that of the one named. */
   private record Seen(
-      double time, int circle, ObstacleKind kind, int obstacle, double nx, double ny, double v) {
+      double time, int circle, Kind kind, int obstacle, double nx, double ny, double v) {
 
     static Seen of(Run.Row row, int circle, int obstacle) {
-      boolean turned = row.kind() == ObstacleKind.CIRCLE && circle > obstacle;
+      boolean turned = row.kind() == Kind.CIRCLE && circle > obstacle;
       double sign = turned ? -1 : 1;
       return new Seen(
           row.time(),
@@ -182,7 +182,7 @@ class CollidingEngineOptionsTest {
     List<Integer> early = new ArrayList<>();
     for (Run.Row row : Run.rows(world.impacts())) {
       early.add(row.circle());
-      if (row.kind() == ObstacleKind.CIRCLE) {
+      if (row.kind() == Kind.CIRCLE) {
         early.add(row.obstacle());
       }
     }

@@ -4,7 +4,7 @@ package dev.carom.internal.engine;
 import static org.assertj.core.api.Assertions.assertThat;
 
 import dev.carom.Internals;
-import dev.carom.ObstacleKind;
+import dev.carom.Kind;
 import dev.carom.Response;
 import dev.carom.Run;
 import dev.carom.Scene;
@@ -42,7 +42,7 @@ class CollidingEngineTest {
     }
     int rows = world.impacts().size();
     assertThat(rows).isEqualTo(2);
-    assertThat(world.impacts().kind(rows - 1)).isEqualTo(ObstacleKind.CIRCLE);
+    assertThat(world.impacts().kind(rows - 1)).isEqualTo(Kind.CIRCLE);
     assertThat(world.impacts().approachSpeed(rows - 1)).isEqualTo(2);
     assertThat(Math.abs(world.vx(2))).isOne();
   }
@@ -166,13 +166,13 @@ class CollidingEngineTest {
   @Test
   void whatATurnAtALineDrivesTogetherIsThereAgain() {
     for (int first = 0; first < 2; first++) {
-      assertThat(hits(first, 2.25 * FAINT)).startsWith(ObstacleKind.LINE, ObstacleKind.CIRCLE);
-      assertThat(hits(first, 1.25 * FAINT)).containsExactly(ObstacleKind.LINE);
+      assertThat(hits(first, 2.25 * FAINT)).startsWith(Kind.LINE, Kind.CIRCLE);
+      assertThat(hits(first, 1.25 * FAINT)).containsExactly(Kind.LINE);
     }
   }
 
   /** The kinds of the obstacles that are hit if the circle of that id moves to the line. */
-  private static List<ObstacleKind> hits(int first, double speedOfTheSecond) {
+  private static List<Kind> hits(int first, double speedOfTheSecond) {
     SceneBuilder builder = Scene.builder().collide(true).line(-1, -9, -1, 9);
     for (int i = 0; i < 2; i++) {
       boolean second = i != first;

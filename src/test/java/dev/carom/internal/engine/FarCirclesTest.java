@@ -5,7 +5,7 @@ import static org.assertj.core.api.Assertions.assertThat;
 
 import dev.carom.CollidingScenes;
 import dev.carom.Internals;
-import dev.carom.ObstacleKind;
+import dev.carom.Kind;
 import dev.carom.Run;
 import dev.carom.Scene;
 import dev.carom.SceneBuilder;
@@ -64,7 +64,7 @@ class FarCirclesTest {
       assertArrivesAtOnce(each, 100);
       assertThat(each.y(2)).isEqualTo(4 * 100 - 1e9);
     }
-    world.remove(ObstacleKind.CIRCLE, 1);
+    world.remove(Kind.CIRCLE, 1);
     world.setRadius(2, 100);
     assertArrivesAtOnce(world, 101);
   }

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 package dev.carom.internal.engine;
 
-import static dev.carom.ObstacleKind.CIRCLE;
+import static dev.carom.Kind.CIRCLE;
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.assertThatThrownBy;
 
@@ -21,7 +21,7 @@ import dev.carom.internal.state.EngineOptions;
 import dev.carom.internal.state.ImpactRows;
 import dev.carom.internal.state.ObstacleTable;
 import dev.carom.internal.state.WorldState;
-import dev.carom.internal.util.Kind;
+import dev.carom.internal.util.KindNumber;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
@@ -115,13 +115,13 @@ class IdLimitTest {
     Editor editor = new Editor(Internals.data(scene), engine, registry);
     ObstacleTable obstacles = engine.staticScene.obstacles;
     obstacles.lines.end = Codes.line(LINES);
-    obstacles.ofKind(Kind.PEG).end = Codes.peg(PEGS);
-    assertThatThrownBy(() -> editor.add(Kind.LINE, 1, 2, 3, 4, 0))
+    obstacles.ofKind(KindNumber.PEG).end = Codes.peg(PEGS);
+    assertThatThrownBy(() -> editor.add(KindNumber.LINE, 1, 2, 3, 4, 0))
         .isInstanceOf(IllegalStateException.class)
         .hasMessage(
             "line 268435452 cannot be added: all ids below 268435452 were given, and none is"
                 + " reused");
-    assertThatThrownBy(() -> editor.add(Kind.PEG, 1, 2, 3, 0, 0))
+    assertThatThrownBy(() -> editor.add(KindNumber.PEG, 1, 2, 3, 0, 0))
         .isInstanceOf(IllegalStateException.class)
         .hasMessage(
             "peg 268435456 cannot be added: all ids below 268435456 were given, and none is"

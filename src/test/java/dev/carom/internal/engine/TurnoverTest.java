@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 package dev.carom.internal.engine;
 
-import static dev.carom.ObstacleKind.CIRCLE;
+import static dev.carom.Kind.CIRCLE;
 import static org.assertj.core.api.Assertions.assertThat;
 
 import dev.carom.Bounds;

@@ -5,8 +5,8 @@ import static org.assertj.core.api.Assertions.assertThat;
 
 import dev.carom.Bounds;
 import dev.carom.Circle;
+import dev.carom.Kind;
 import dev.carom.Line;
-import dev.carom.ObstacleKind;
 import dev.carom.Resolver;
 import dev.carom.Scene;
 import dev.carom.SceneBuilder;
@@ -30,12 +30,12 @@ class ProximityTest {
   })
   void eachWallIsNearestToWhatIsBesideIt(double x, double y) {
     World world = new World(Scene.builder().bounds(x, y, x + 30, y + 40).build());
-    assertThat(world.nearest(ObstacleKind.WALL, x + 2, y + 20)).isEqualTo(Codes.LEFT);
-    assertThat(world.nearest(ObstacleKind.WALL, x + 28, y + 20)).isEqualTo(Codes.RIGHT);
-    assertThat(world.nearest(ObstacleKind.WALL, x + 15, y + 2)).isEqualTo(Codes.BOTTOM);
-    assertThat(world.nearest(ObstacleKind.WALL, x + 15, y + 38)).isEqualTo(Codes.TOP);
-    assertThat(world.nearest(ObstacleKind.WALL, x - 2, y + 20)).isEqualTo(Codes.LEFT);
-    assertThat(world.nearest(ObstacleKind.WALL, x + 15, y + 43)).isEqualTo(Codes.TOP);
+    assertThat(world.nearest(Kind.WALL, x + 2, y + 20)).isEqualTo(Codes.LEFT);
+    assertThat(world.nearest(Kind.WALL, x + 28, y + 20)).isEqualTo(Codes.RIGHT);
+    assertThat(world.nearest(Kind.WALL, x + 15, y + 2)).isEqualTo(Codes.BOTTOM);
+    assertThat(world.nearest(Kind.WALL, x + 15, y + 38)).isEqualTo(Codes.TOP);
+    assertThat(world.nearest(Kind.WALL, x - 2, y + 20)).isEqualTo(Codes.LEFT);
+    assertThat(world.nearest(Kind.WALL, x + 15, y + 43)).isEqualTo(Codes.TOP);
   }
 
   @ParameterizedTest
@@ -72,8 +72,8 @@ class ProximityTest {
   @Test
   void aBoxThatEndsAtAWallDoesNotOverlapIt() {
     World world = new World(Scene.builder().bounds(-10, -10, 10, 10).build());
-    assertThat(world.overlapping(ObstacleKind.WALL, new Bounds(-10, -10, 10, 10))).isEmpty();
-    assertThat(world.overlapping(ObstacleKind.WALL, new Bounds(-11, -11, 11, 11)))
+    assertThat(world.overlapping(Kind.WALL, new Bounds(-10, -10, 10, 10))).isEmpty();
+    assertThat(world.overlapping(Kind.WALL, new Bounds(-11, -11, 11, 11)))
         .containsExactly(Codes.LEFT, Codes.RIGHT, Codes.BOTTOM, Codes.TOP);
   }
 
@@ -82,15 +82,15 @@ class ProximityTest {
     SceneBuilder scene = Scene.builder().circle(0, 0, 1, 1e308, 0).circle(10, 0, 1, 0, 0);
     World world = new World(scene.circle(-10, 0, 1, 0, 0).circle(0, 3, 1, 0, 1e308).build());
     Bounds all = new Bounds(-99, -99, 99, 99);
-    assertThat(world.overlapping(ObstacleKind.CIRCLE, all)).containsExactly(0, 1, 2, 3);
-    assertThat(world.overlapping(ObstacleKind.CIRCLE, new Bounds(-99, -99, 5, 99)))
+    assertThat(world.overlapping(Kind.CIRCLE, all)).containsExactly(0, 1, 2, 3);
+    assertThat(world.overlapping(Kind.CIRCLE, new Bounds(-99, -99, 5, 99)))
         .containsExactly(0, 2, 3);
-    assertThat(world.nearest(ObstacleKind.CIRCLE, 1, 0)).isZero();
+    assertThat(world.nearest(Kind.CIRCLE, 1, 0)).isZero();
     world.step(10);
-    assertThat(world.overlapping(ObstacleKind.CIRCLE, all)).containsExactly(1, 2);
-    assertThat(world.nearest(ObstacleKind.CIRCLE, 0, 0)).as("as near as 2").isOne();
-    world.remove(ObstacleKind.CIRCLE, 1);
-    assertThat(world.overlapping(ObstacleKind.CIRCLE, all)).containsExactly(2);
-    assertThat(world.nearest(ObstacleKind.CIRCLE, 9, 0)).isEqualTo(2);
+    assertThat(world.overlapping(Kind.CIRCLE, all)).containsExactly(1, 2);
+    assertThat(world.nearest(Kind.CIRCLE, 0, 0)).as("as near as 2").isOne();
+    world.remove(Kind.CIRCLE, 1);
+    assertThat(world.overlapping(Kind.CIRCLE, all)).containsExactly(2);
+    assertThat(world.nearest(Kind.CIRCLE, 9, 0)).isEqualTo(2);
   }
 }

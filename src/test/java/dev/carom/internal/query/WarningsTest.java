@@ -6,8 +6,8 @@ import static org.assertj.core.api.Assertions.assertThatThrownBy;
 
 import dev.carom.Circle;
 import dev.carom.Internals;
+import dev.carom.Kind;
 import dev.carom.Line;
-import dev.carom.ObstacleKind;
 import dev.carom.Response;
 import dev.carom.Scene;
 import dev.carom.SceneBuilder;
@@ -16,7 +16,7 @@ import dev.carom.internal.exact.Predicates;
 import dev.carom.internal.search.ObstacleIndex;
 import dev.carom.internal.state.Codes;
 import dev.carom.internal.state.ObstacleTable;
-import dev.carom.internal.util.Kind;
+import dev.carom.internal.util.KindNumber;
 import java.time.Duration;
 import java.util.ArrayList;
 import java.util.List;
@@ -220,8 +220,8 @@ class WarningsTest {
       Circle circle = scene.circle(i);
       for (int code :
           proximity.overlapping(
-              Kind.WALL,
-              Kind.CIRCLE,
+              KindNumber.WALL,
+              KindNumber.CIRCLE,
               Region.disk(circle.x(), circle.y(), circle.radius()),
               any -> true)) {
         boolean isLeft = !obstacles.isOneWay(code);
@@ -238,8 +238,8 @@ class WarningsTest {
       }
       for (int j = i + 1; j < scene.circleCount() && scene.collide(); j++) {
         boolean sensor =
-            scene.response(ObstacleKind.CIRCLE, i) == Response.SENSOR
-                || scene.response(ObstacleKind.CIRCLE, j) == Response.SENSOR;
+            scene.response(Kind.CIRCLE, i) == Response.SENSOR
+                || scene.response(Kind.CIRCLE, j) == Response.SENSOR;
         Circle o = scene.circle(j);
         if (!sensor
             && SweptCircle.overlaps(

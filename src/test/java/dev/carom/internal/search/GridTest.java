@@ -8,7 +8,7 @@ import dev.carom.Scene;
 import dev.carom.SceneBuilder;
 import dev.carom.internal.state.Codes;
 import dev.carom.internal.state.ObstacleTable;
-import dev.carom.internal.util.Kind;
+import dev.carom.internal.util.KindNumber;
 import java.util.ArrayList;
 import java.util.List;
 import org.junit.jupiter.api.Test;
@@ -185,6 +185,7 @@ class GridTest {
     if (CellList.second(pair) != CellList.first(pair)) {
       codes.add(CellList.second(pair));
     }
-    assertThat(CellList.areOthers(pair)).isEqualTo(Codes.kind(CellList.second(pair)) == Kind.PEG);
+    assertThat(CellList.areOthers(pair))
+        .isEqualTo(Codes.kind(CellList.second(pair)) == KindNumber.PEG);
   }
 }

@@ -5,7 +5,7 @@ import static org.assertj.core.api.Assertions.assertThat;
 
 import dev.carom.internal.state.Codes;
 import dev.carom.internal.state.ObstacleTable;
-import dev.carom.internal.util.Kind;
+import dev.carom.internal.util.KindNumber;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
@@ -19,15 +19,15 @@ class MotionWindowTest {
 
   private void addPegs(int count) {
     for (int i = 0; i < count; i++) {
-      obstacles.setVelocity(obstacles.add(Kind.PEG, 10 * i, 0, 1), 1, 0, 0);
+      obstacles.setVelocity(obstacles.add(KindNumber.PEG, 10 * i, 0, 1), 1, 0, 0);
     }
     window.changedAll();
     window.open(0, 2);
   }
 
   private void setVelocity(int peg, double ux) {
-    obstacles.setVelocity(Codes.of(Kind.PEG, peg), ux, 0, 0);
-    window.changed(obstacles.motions(), Codes.of(Kind.PEG, peg));
+    obstacles.setVelocity(Codes.of(KindNumber.PEG, peg), ux, 0, 0);
+    window.changed(obstacles.motions(), Codes.of(KindNumber.PEG, peg));
   }
 
   /** How many pegs a search finds for a disk that rests at the first of so many. */
@@ -93,8 +93,8 @@ class MotionWindowTest {
     addPegs(10);
     assertThat(finds(4, 50)).isFalse();
 
-    obstacles.remove(Codes.of(Kind.PEG, 0));
-    window.changed(obstacles.motions(), Codes.of(Kind.PEG, 0));
+    obstacles.remove(Codes.of(KindNumber.PEG, 0));
+    window.changed(obstacles.motions(), Codes.of(KindNumber.PEG, 0));
 
     assertThat(finds(4, 50)).isTrue();
   }

@@ -9,7 +9,7 @@ import dev.carom.SceneBuilder;
 import dev.carom.internal.state.Codes;
 import dev.carom.internal.state.ObstacleTable;
 import dev.carom.internal.util.IntList;
-import dev.carom.internal.util.Kind;
+import dev.carom.internal.util.KindNumber;
 import org.junit.jupiter.api.Test;
 
 /** When the index of questions is made, which radii share a grid, and what is loose beside it. */
@@ -39,12 +39,12 @@ class ObstacleIndexTest {
     ObstacleIndex index = index(MANY);
     for (int i = 0; i < COST; i++) {
       index.expect(1);
-      assertThat(index.tree(Kind.PEG)).isNull();
+      assertThat(index.tree(KindNumber.PEG)).isNull();
       assertThat(index.grid(0)).isNull();
     }
     index.expect(1);
-    assertThat(index.tree(Kind.PEG).size()).isEqualTo(MANY);
-    assertThat(index.tree(Kind.LINE).size()).isZero();
+    assertThat(index.tree(KindNumber.PEG).size()).isEqualTo(MANY);
+    assertThat(index.tree(KindNumber.LINE).size()).isZero();
     assertThat(index.grid(0)).isNotNull();
   }
 
@@ -53,7 +53,7 @@ class ObstacleIndexTest {
     ObstacleIndex index = index(8);
     index.expect(1000);
     assertThat(index.grid(0)).isNull();
-    assertThat(index.tree(Kind.PEG)).isNull();
+    assertThat(index.tree(KindNumber.PEG)).isNull();
   }
 
   @Test
@@ -74,24 +74,24 @@ class ObstacleIndexTest {
       index.changed(Codes.peg(i));
     }
     assertThat(index.loose().size).isEqualTo(most);
-    assertThat(index.tree(Kind.PEG)).isNotNull();
+    assertThat(index.tree(KindNumber.PEG)).isNotNull();
     index.changed(Codes.peg(most));
     assertThat(index.loose().size).isZero();
-    assertThat(index.tree(Kind.PEG)).isNull();
+    assertThat(index.tree(KindNumber.PEG)).isNull();
   }
 
   /** Loose obstacles cost each question something, which adds up to the cost of an index. */
   @Test
   void itIsMadeAnewOnceThatPays() {
     ObstacleIndex index = made();
-    BoxTree before = index.tree(Kind.PEG);
+    BoxTree before = index.tree(KindNumber.PEG);
     index.expect(1_000_000);
-    assertThat(index.tree(Kind.PEG)).isSameAs(before);
+    assertThat(index.tree(KindNumber.PEG)).isSameAs(before);
     index.changed(Codes.peg(3));
     index.expect(COST * MANY);
-    assertThat(index.tree(Kind.PEG)).isSameAs(before);
+    assertThat(index.tree(KindNumber.PEG)).isSameAs(before);
     index.expect(1);
-    assertThat(index.tree(Kind.PEG)).isNotSameAs(before);
+    assertThat(index.tree(KindNumber.PEG)).isNotSameAs(before);
     assertThat(index.loose().size).isZero();
   }
 
@@ -99,7 +99,7 @@ class ObstacleIndexTest {
   @Test
   void aTreeFindsWhatIsInABox() {
     IntList found = new IntList();
-    made().tree(Kind.PEG).find(new BoxTree.Outside().set(18, -5, 31, 9), found);
+    made().tree(KindNumber.PEG).find(new BoxTree.Outside().set(18, -5, 31, 9), found);
     assertThat(found.filtered(code -> true))
         .containsExactly(Codes.peg(2), Codes.peg(3), Codes.peg(12), Codes.peg(13));
   }

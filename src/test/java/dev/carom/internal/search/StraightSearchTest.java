@@ -7,8 +7,8 @@ import dev.carom.Circle;
 import dev.carom.Impact;
 import dev.carom.ImpactLog;
 import dev.carom.Internals;
+import dev.carom.Kind;
 import dev.carom.Line;
-import dev.carom.ObstacleKind;
 import dev.carom.Resolver;
 import dev.carom.Run;
 import dev.carom.Scene;
@@ -76,7 +76,7 @@ class StraightSearchTest {
     Scene scene = setup.circle(far / 2, 0.8 * far, far / 8, 0, -far).collide(collide).build();
     ImpactLog log = step(new World(scene), 1.7);
     assertThat(log.size()).isEqualTo(2);
-    assertThat(log.kind(0)).isEqualTo(ObstacleKind.WALL);
+    assertThat(log.kind(0)).isEqualTo(Kind.WALL);
     assertThat(log.time(0)).isEqualTo(WallSweep.time(0.8 * far, far / 8, -far, -far));
   }
 
@@ -181,7 +181,7 @@ class StraightSearchTest {
       World world = new World(scene.circle(x, y, r, -0.5 - random.nextDouble(), 0).build());
       ImpactLog log = step(world, 5);
       assertThat(log.size()).isPositive();
-      assertThat(log.kind(0)).isEqualTo(ObstacleKind.WALL);
+      assertThat(log.kind(0)).isEqualTo(Kind.WALL);
     }
   }
 
@@ -206,7 +206,7 @@ class StraightSearchTest {
       }
       World world = new World(scene.build());
       ImpactLog log = step(world, 1);
-      assertThat(log.kind(0)).isEqualTo(ObstacleKind.WALL);
+      assertThat(log.kind(0)).isEqualTo(Kind.WALL);
     }
   }
 
@@ -253,9 +253,9 @@ class StraightSearchTest {
     }
     World world = new World(scene.circle(1 + 0x1p-52, 5, 1, -1, -1).build());
     ImpactLog log = step(world, 0.5);
-    assertThat(log.kind(0)).isEqualTo(ObstacleKind.LINE);
+    assertThat(log.kind(0)).isEqualTo(Kind.LINE);
     assertThat(log.time(0)).isZero();
-    assertThat(log.kind(1)).isEqualTo(ObstacleKind.WALL);
+    assertThat(log.kind(1)).isEqualTo(Kind.WALL);
     assertThat(log.time(1)).isEqualTo(0x1p-52);
   }
 
@@ -278,10 +278,10 @@ class StraightSearchTest {
     Circle circle = new Circle(Math.nextUp(2 * unit), 97 * unit, 2 * unit);
     for (double drift : new double[] {0, -0x1p-60, -0x1p-58}) {
       Impact impact = world.cast(circle, new Vec2(drift * fast, -fast), never).orElseThrow();
-      assertThat(impact.kind()).as("%s", drift).isEqualTo(ObstacleKind.LINE);
+      assertThat(impact.kind()).as("%s", drift).isEqualTo(Kind.LINE);
     }
     Impact wall = world.cast(circle, new Vec2(-0x1p-54 * fast, -fast), never).orElseThrow();
-    assertThat(wall.kind()).isEqualTo(ObstacleKind.WALL);
+    assertThat(wall.kind()).isEqualTo(Kind.WALL);
     assertThat(wall.time()).isEqualTo(8 * unit / fast);
     Circle free = new Circle(Math.nextDown(98 * unit), 50 * unit, 2 * unit);
     Impact bottom = world.cast(free, new Vec2(0x1p-60 * fast, -fast), never).orElseThrow();
@@ -296,9 +296,9 @@ class StraightSearchTest {
     builder.line(x, 40, x, 60).line(x, 40, x, 60);
     World world = Internals.world(builder.build(), EngineOptions.cells(10));
     Run.step(world, 1);
-    world.remove(ObstacleKind.LINE, 0);
+    world.remove(Kind.LINE, 0);
     ImpactLog log = step(world, 50);
-    assertThat(log.kind(0)).isEqualTo(ObstacleKind.LINE);
+    assertThat(log.kind(0)).isEqualTo(Kind.LINE);
     assertThat(log.id(0)).isOne();
   }
 
@@ -369,7 +369,7 @@ class StraightSearchTest {
     World world = new World(scene);
     Run.to(world, 1e50);
     assertThat(world.impacts().size()).isEqualTo(1);
-    assertThat(world.impacts().kind(0)).isEqualTo(ObstacleKind.LINE);
+    assertThat(world.impacts().kind(0)).isEqualTo(Kind.LINE);
     assertThat(world.impacts().time(0))
         .isEqualTo(
             SweptCircle.line(

@@ -3,7 +3,7 @@ package dev.carom.internal.state;
 
 import static org.assertj.core.api.Assertions.assertThat;
 
-import dev.carom.internal.util.Kind;
+import dev.carom.internal.util.KindNumber;
 import java.util.List;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
@@ -12,33 +12,34 @@ import org.junit.jupiter.params.provider.ValueSource;
 class CodesTest {
 
   @ParameterizedTest
-  @ValueSource(ints = {Kind.WALL, Kind.LINE, Kind.PEG, Kind.CIRCLE})
+  @ValueSource(ints = {KindNumber.WALL, KindNumber.LINE, KindNumber.PEG, KindNumber.CIRCLE})
   void aCodeTellsItsKindAndItsIndex(int kind) {
     int last = Codes.limit(kind) - 1;
     for (int i : new int[] {0, 1, last - 1, last}) {
       int code = Codes.of(kind, i);
       assertThat(Codes.kind(code)).isEqualTo(kind);
       assertThat(Codes.index(code)).isEqualTo(i);
-      assertThat(Codes.isWall(code)).isEqualTo(kind == Kind.WALL);
-      assertThat(Codes.isLine(code)).isEqualTo(kind == Kind.LINE);
-      assertThat(Codes.isCircle(code)).isEqualTo(kind == Kind.CIRCLE);
+      assertThat(Codes.isWall(code)).isEqualTo(kind == KindNumber.WALL);
+      assertThat(Codes.isLine(code)).isEqualTo(kind == KindNumber.LINE);
+      assertThat(Codes.isCircle(code)).isEqualTo(kind == KindNumber.CIRCLE);
     }
   }
 
   @Test
   void theRangesFollowEachOther() {
-    assertThat(Codes.of(Kind.WALL, 0)).isZero();
-    for (int kind = Kind.WALL; kind < Kind.CIRCLE; kind++) {
+    assertThat(Codes.of(KindNumber.WALL, 0)).isZero();
+    for (int kind = KindNumber.WALL; kind < KindNumber.CIRCLE; kind++) {
       assertThat(Codes.of(kind, Codes.limit(kind) - 1) + 1).isEqualTo(Codes.of(kind + 1, 0));
     }
-    assertThat(Codes.of(Kind.CIRCLE, Codes.limit(Kind.CIRCLE) - 1)).isEqualTo(Integer.MAX_VALUE);
+    assertThat(Codes.of(KindNumber.CIRCLE, Codes.limit(KindNumber.CIRCLE) - 1))
+        .isEqualTo(Integer.MAX_VALUE);
   }
 
   @Test
   void eachKindHasAShortForm() {
-    assertThat(Codes.line(7)).isEqualTo(Codes.of(Kind.LINE, 7));
-    assertThat(Codes.peg(7)).isEqualTo(Codes.of(Kind.PEG, 7));
-    assertThat(Codes.circle(7)).isEqualTo(Codes.of(Kind.CIRCLE, 7));
+    assertThat(Codes.line(7)).isEqualTo(Codes.of(KindNumber.LINE, 7));
+    assertThat(Codes.peg(7)).isEqualTo(Codes.of(KindNumber.PEG, 7));
+    assertThat(Codes.circle(7)).isEqualTo(Codes.of(KindNumber.CIRCLE, 7));
     assertThat(Codes.slot(Codes.circle(7))).isEqualTo(7);
   }
 

@@ -3,7 +3,7 @@ package dev.carom.internal.state;
 
 import static org.assertj.core.api.Assertions.assertThat;
 
-import dev.carom.internal.util.Kind;
+import dev.carom.internal.util.KindNumber;
 import java.util.Arrays;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
@@ -28,7 +28,7 @@ class ObstacleRowsTest {
   }
 
   @ParameterizedTest
-  @ValueSource(ints = {Kind.LINE, Kind.PEG})
+  @ValueSource(ints = {KindNumber.LINE, KindNumber.PEG})
   void aCopyStaysAsItIsWhateverIsChanged(int kind) {
     ObstacleRows rows = rows(kind, 3);
     ObstacleRows copy = rows.copy();

@@ -7,7 +7,7 @@ import dev.carom.Internals;
 import dev.carom.Scene;
 import dev.carom.SceneBuilder;
 import dev.carom.internal.response.ScaledVectors;
-import dev.carom.internal.util.Kind;
+import dev.carom.internal.util.KindNumber;
 import java.util.List;
 import java.util.Random;
 import java.util.function.Consumer;
@@ -40,8 +40,8 @@ class ObstacleTableTest {
             o -> o.setTraits(line, ContactFlags.with(0, ContactFlags.HALT)),
             o -> o.setTraits(peg, ContactFlags.with(0, ContactFlags.HALT)),
             o -> o.setTraits(Codes.LEFT, ContactFlags.with(0, ContactFlags.HALT)),
-            o -> o.add(Kind.LINE, 1, 1, 2, 2),
-            o -> o.add(Kind.PEG, 1, 1, 2),
+            o -> o.add(KindNumber.LINE, 1, 1, 2, 2),
+            o -> o.add(KindNumber.PEG, 1, 1, 2),
             o -> o.remove(line),
             o -> o.remove(peg));
     for (Consumer<ObstacleTable> change : changes) {
@@ -58,9 +58,12 @@ class ObstacleTableTest {
 
   private static void assertPresent(ObstacleTable o) {
     assertPresent(o, o.lines.present(), there(o, Codes.line(0), o.lines.end));
-    assertPresent(o, o.ofKind(Kind.PEG).present(), there(o, Codes.peg(0), o.ofKind(Kind.PEG).end));
+    assertPresent(
+        o,
+        o.ofKind(KindNumber.PEG).present(),
+        there(o, Codes.peg(0), o.ofKind(KindNumber.PEG).end));
     assertThat(o.size())
-        .isEqualTo(o.lines.present().count() + o.ofKind(Kind.PEG).present().count());
+        .isEqualTo(o.lines.present().count() + o.ofKind(KindNumber.PEG).present().count());
   }
 
   private static void assertPresent(ObstacleTable o, LiveCodes present, int... there) {
@@ -71,14 +74,14 @@ class ObstacleTableTest {
 
   private static void edit(ObstacleTable o, Random random) {
     boolean line = random.nextBoolean();
-    LiveCodes present = line ? o.lines.present() : o.ofKind(Kind.PEG).present();
+    LiveCodes present = line ? o.lines.present() : o.ofKind(KindNumber.PEG).present();
     if (present.count() > 0 && random.nextInt(9) < 5) {
       int[] there = present.stream(o::isGone).toArray();
       o.remove(there[random.nextInt(there.length)]);
     } else if (line) {
-      o.add(Kind.LINE, 1, 2, 3, 4);
+      o.add(KindNumber.LINE, 1, 2, 3, 4);
     } else {
-      o.add(Kind.PEG, 1, 2, 3);
+      o.add(KindNumber.PEG, 1, 2, 3);
     }
   }
 

@@ -2,7 +2,7 @@
 package dev.carom.internal.util;
 
 /** The kinds of obstacles and circles. The values equal the ordinals of the public enum. */
-public final class Kind {
+public final class KindNumber {
 
   public static final int WALL = 0;
   public static final int LINE = 1;
@@ -11,7 +11,7 @@ public final class Kind {
 
   private static final String[] NAMES = {"wall", "line", "peg", "circle"};
 
-  private Kind() {}
+  private KindNumber() {}
 
   /** The name of thing i of a kind in messages, as "line 3". */
   public static String nameOf(int kind, int i) {
