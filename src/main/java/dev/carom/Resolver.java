@@ -10,7 +10,7 @@ import dev.carom.internal.response.Impulse;
 import dev.carom.internal.response.SphereResponse;
 import dev.carom.internal.search.ObstacleIndex;
 import dev.carom.internal.state.Codes;
-import dev.carom.internal.state.Filter;
+import dev.carom.internal.state.FilterBits;
 import dev.carom.internal.state.Gravity;
 import dev.carom.internal.state.MovingCircle;
 import dev.carom.internal.state.ObstacleTable;
@@ -241,7 +241,7 @@ public final class Resolver {
                 KindNumber.CIRCLE,
                 point.x(),
                 point.y(),
-                index.obstacles.met(Filter.DEFAULT));
+                index.obstacles.met(FilterBits.DEFAULT));
     return nearest == Index.NONE ? Optional.empty() : Optional.of(records.at(nearest, 0));
   }
 
@@ -273,7 +273,10 @@ public final class Resolver {
     return things(
         new Proximity(index, () -> 0)
             .overlapping(
-                KindNumber.WALL, KindNumber.CIRCLE, region, index.obstacles.met(Filter.DEFAULT)));
+                KindNumber.WALL,
+                KindNumber.CIRCLE,
+                region,
+                index.obstacles.met(FilterBits.DEFAULT)));
   }
 
   /**

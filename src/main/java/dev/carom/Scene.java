@@ -6,7 +6,7 @@ import dev.carom.internal.io.SceneFile;
 import dev.carom.internal.query.Warnings;
 import dev.carom.internal.state.Codes;
 import dev.carom.internal.state.ContactFlags;
-import dev.carom.internal.state.Filter;
+import dev.carom.internal.state.FilterBits;
 import dev.carom.internal.state.Gravity;
 import dev.carom.internal.state.ObstacleTable;
 import dev.carom.internal.state.SceneData;
@@ -333,7 +333,7 @@ public final class Scene {
    * @throws IndexOutOfBoundsException if there is no such thing
    */
   public int category(Kind kind, int i) {
-    return Filter.category(filter(kind, i));
+    return FilterBits.category(filter(kind, i));
   }
 
   /**
@@ -346,7 +346,7 @@ public final class Scene {
    * @throws IndexOutOfBoundsException if there is no such thing
    */
   public int mask(Kind kind, int i) {
-    return Filter.mask(filter(kind, i));
+    return FilterBits.mask(filter(kind, i));
   }
 
   private long filter(Kind kind, int i) {

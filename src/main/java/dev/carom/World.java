@@ -10,7 +10,7 @@ import dev.carom.internal.query.Region;
 import dev.carom.internal.state.CircleRegistry;
 import dev.carom.internal.state.CircleTable;
 import dev.carom.internal.state.EngineOptions;
-import dev.carom.internal.state.Filter;
+import dev.carom.internal.state.FilterBits;
 import dev.carom.internal.state.ImpactRows;
 import dev.carom.internal.state.ObstacleTable;
 import dev.carom.internal.state.SceneData;
@@ -434,7 +434,7 @@ public final class World {
    * @throws IndexOutOfBoundsException if there is no such thing
    */
   public int category(Kind kind, int id) {
-    return Filter.category(questions.filter(code(kind, id)));
+    return FilterBits.category(questions.filter(code(kind, id)));
   }
 
   /**
@@ -447,7 +447,7 @@ public final class World {
    * @throws IndexOutOfBoundsException if there is no such thing
    */
   public int mask(Kind kind, int id) {
-    return Filter.mask(questions.filter(code(kind, id)));
+    return FilterBits.mask(questions.filter(code(kind, id)));
   }
 
   /**
@@ -570,7 +570,7 @@ public final class World {
     Check.notNull("circle", circle);
     Check.notNull("velocity", velocity);
     Check.duration("maxTime", maxTime);
-    return questions.cast(circle, velocity, maxTime, now, Filter.of(category, mask));
+    return questions.cast(circle, velocity, maxTime, now, FilterBits.of(category, mask));
   }
 
   /**
@@ -602,7 +602,7 @@ public final class World {
   public void cast(Casts casts, double maxTime, int category, int mask) {
     Check.notNull("casts", casts);
     Check.duration("maxTime", maxTime);
-    questions.cast(casts, maxTime, now, Filter.of(category, mask));
+    questions.cast(casts, maxTime, now, FilterBits.of(category, mask));
   }
 
   /**
@@ -665,7 +665,7 @@ public final class World {
     Check.notNegative("restitution", restitution);
     Check.notNegative("duration", duration);
     Check.notNegative("impacts", impacts);
-    long filter = Filter.of(category, mask);
+    long filter = FilterBits.of(category, mask);
     return questions.trace(circle, velocity, restitution, duration, impacts, filter, now);
   }
 
@@ -708,7 +708,7 @@ public final class World {
     Check.notNull("kind", kind);
     Check.finite("x", x);
     Check.finite("y", y);
-    return questions.nearest(kind, x, y, now, Filter.of(category, mask));
+    return questions.nearest(kind, x, y, now, FilterBits.of(category, mask));
   }
 
   /**
@@ -739,7 +739,7 @@ public final class World {
    * @return the ids, ascending; a new array
    */
   public int[] overlapping(Kind kind, Circle disk, int category, int mask) {
-    return overlapping(kind, PublicRecords.region(disk), Filter.of(category, mask));
+    return overlapping(kind, PublicRecords.region(disk), FilterBits.of(category, mask));
   }
 
   private int[] overlapping(Kind kind, Region region, long filter) {
@@ -770,7 +770,7 @@ public final class World {
    * @return the ids, ascending; a new array
    */
   public int[] overlapping(Kind kind, Bounds box, int category, int mask) {
-    return overlapping(kind, PublicRecords.region(box), Filter.of(category, mask));
+    return overlapping(kind, PublicRecords.region(box), FilterBits.of(category, mask));
   }
 
   // Edits.
@@ -941,7 +941,7 @@ public final class World {
    * @throws IndexOutOfBoundsException if there is no such thing
    */
   public void setFilter(Kind kind, int id, int category, int mask) {
-    edit().setFilter(code(kind, id), Filter.of(category, mask), now);
+    edit().setFilter(code(kind, id), FilterBits.of(category, mask), now);
   }
 
   /**

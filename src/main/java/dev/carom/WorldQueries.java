@@ -12,7 +12,7 @@ import dev.carom.internal.state.CircleRegistry;
 import dev.carom.internal.state.CircleTable;
 import dev.carom.internal.state.Codes;
 import dev.carom.internal.state.ContactFlags;
-import dev.carom.internal.state.Filter;
+import dev.carom.internal.state.FilterBits;
 import dev.carom.internal.state.Gravity;
 import dev.carom.internal.state.MovingCircle;
 import dev.carom.internal.state.ObstacleTable;
@@ -157,7 +157,7 @@ final class WorldQueries {
         : obstacles.givenRestitution(code);
   }
 
-  /** Returns the {@link Filter} of an obstacle or a circle. */
+  /** Returns the {@link FilterBits} of an obstacle or a circle. */
   long filter(int code) {
     return Codes.isCircle(code) ? registry.filter(Codes.slot(code)) : obstacles.filter(code);
   }
@@ -221,7 +221,7 @@ final class WorldQueries {
 
   /** Returns a predicate for the slots of circles that meet a thing with a filter. */
   private IntPredicate slots(long filter) {
-    return slot -> Filter.meet(filter, registry.filter(slot));
+    return slot -> FilterBits.meet(filter, registry.filter(slot));
   }
 
   /** Replaces codes of obstacles by their ids. */

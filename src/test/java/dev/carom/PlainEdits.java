@@ -3,7 +3,7 @@ package dev.carom;
 
 import dev.carom.internal.state.Codes;
 import dev.carom.internal.state.ContactFlags;
-import dev.carom.internal.state.Filter;
+import dev.carom.internal.state.FilterBits;
 import dev.carom.internal.state.MovingCircle;
 import dev.carom.internal.util.KindNumber;
 import java.util.HashMap;
@@ -231,7 +231,7 @@ abstract class PlainEdits extends PlainSearch {
   }
 
   void setFilter(Kind kind, int id, int category, int mask) {
-    long filter = Filter.of(category, mask);
+    long filter = FilterBits.of(category, mask);
     switch (kind) {
       case LINE, PEG -> {
         int code = (kind == Kind.LINE ? Codes.line(0) : Codes.peg(0)) + id;

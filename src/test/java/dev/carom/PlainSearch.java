@@ -5,7 +5,7 @@ import static dev.carom.internal.exact.DoubleDouble.sumTail;
 
 import dev.carom.internal.exact.ExactSigns;
 import dev.carom.internal.state.Codes;
-import dev.carom.internal.state.Filter;
+import dev.carom.internal.state.FilterBits;
 import dev.carom.internal.state.MovingCircle;
 import dev.carom.internal.sweep.Falls;
 import dev.carom.internal.sweep.SegmentSweep;
@@ -215,7 +215,7 @@ abstract class PlainSearch extends PlainState {
 
   /** When a circle that is not there would first hit something but a sensor. */
   double cast(Circle circle, Vec2 v, int category, int mask) {
-    long filter = Filter.of(category, mask);
+    long filter = FilterBits.of(category, mask);
     MovingCircle m = CircleCast.body(circle, v, 1);
     double first = NEVER;
     obstacles.setEpoch(now);

@@ -7,7 +7,7 @@ import dev.carom.internal.response.PairResponse;
 import dev.carom.internal.response.Shock;
 import dev.carom.internal.state.CircleRegistry;
 import dev.carom.internal.state.Codes;
-import dev.carom.internal.state.Filter;
+import dev.carom.internal.state.FilterBits;
 import dev.carom.internal.state.FlightTable;
 import dev.carom.internal.state.Gravity;
 import dev.carom.internal.state.ImpactRows;
@@ -209,7 +209,8 @@ abstract class PlainState {
   }
 
   static boolean meet(long a, long b) {
-    return (Filter.category(a) & Filter.mask(b)) != 0 && (Filter.category(b) & Filter.mask(a)) != 0;
+    return (FilterBits.category(a) & FilterBits.mask(b)) != 0
+        && (FilterBits.category(b) & FilterBits.mask(a)) != 0;
   }
 
   int[] codes() {

@@ -5,7 +5,7 @@ import dev.carom.internal.state.CircleRegistry;
 import dev.carom.internal.state.CircleTable;
 import dev.carom.internal.state.Codes;
 import dev.carom.internal.state.ContactFlags;
-import dev.carom.internal.state.Filter;
+import dev.carom.internal.state.FilterBits;
 import dev.carom.internal.state.MovingCircle;
 import dev.carom.internal.state.ObstacleRows;
 import dev.carom.internal.state.ObstacleTable;
@@ -339,7 +339,7 @@ public final class Editor {
     setTraits(code, ContactFlags.withOneWay(obstacles.traits(code), oneWay), now);
   }
 
-  /** Sets a {@link Filter}, that of a wall for all of them. */
+  /** Sets a {@link FilterBits}, that of a wall for all of them. */
   public void setFilter(int code, long filter, double now) {
     if (Codes.isCircle(code)) {
       setFilterOfCircle(Codes.slot(code), filter, now);
@@ -369,7 +369,7 @@ public final class Editor {
     List<MovingCircle> changed = new ArrayList<>();
     for (int slot : registry.slots()) {
       long its = registry.filter(slot);
-      if (Filter.meet(its, before) != Filter.meet(its, filter)) {
+      if (FilterBits.meet(its, before) != FilterBits.meet(its, filter)) {
         MovingCircle m = new MovingCircle();
         circles.load(slot, m);
         restart(m, now);

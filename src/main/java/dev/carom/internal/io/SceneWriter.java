@@ -3,7 +3,7 @@ package dev.carom.internal.io;
 
 import dev.carom.internal.state.Codes;
 import dev.carom.internal.state.ContactFlags;
-import dev.carom.internal.state.Filter;
+import dev.carom.internal.state.FilterBits;
 import dev.carom.internal.state.ObstacleRows;
 import dev.carom.internal.state.ObstacleTable;
 import dev.carom.internal.state.SceneData;
@@ -89,11 +89,11 @@ final class SceneWriter {
     if (ContactFlags.isOneWay(traits)) {
       row.append(",oneway=1");
     }
-    if (Filter.category(filter) != Filter.category(Filter.DEFAULT)) {
-      row.append(",category=").append(Filter.category(filter));
+    if (FilterBits.category(filter) != FilterBits.category(FilterBits.DEFAULT)) {
+      row.append(",category=").append(FilterBits.category(filter));
     }
-    if (Filter.mask(filter) != Filter.mask(Filter.DEFAULT)) {
-      row.append(",mask=").append(Filter.mask(filter));
+    if (FilterBits.mask(filter) != FilterBits.mask(FilterBits.DEFAULT)) {
+      row.append(",mask=").append(FilterBits.mask(filter));
     }
     endRow();
   }

@@ -7,7 +7,7 @@ import dev.carom.internal.search.BoxTree;
 import dev.carom.internal.state.CircleRegistry;
 import dev.carom.internal.state.CircleTable;
 import dev.carom.internal.state.Codes;
-import dev.carom.internal.state.Filter;
+import dev.carom.internal.state.FilterBits;
 import dev.carom.internal.state.LiveCodes;
 import dev.carom.internal.state.MovingCircle;
 import dev.carom.internal.sweep.Hit;
@@ -93,7 +93,7 @@ final class FirstCircle implements BoxTree.First {
 
   /** Keeps the contact with a loaded circle if it is the first one. */
   private void test(int slot) {
-    if (registry.isSensor(slot) || !Filter.meet(m.filter, registry.filter(slot))) {
+    if (registry.isSensor(slot) || !FilterBits.meet(m.filter, registry.filter(slot))) {
       return;
     }
     double limit = end();

@@ -4,7 +4,7 @@ package dev.carom.internal.query;
 import dev.carom.internal.exact.Predicates;
 import dev.carom.internal.search.BoxTree;
 import dev.carom.internal.state.Codes;
-import dev.carom.internal.state.Filter;
+import dev.carom.internal.state.FilterBits;
 import dev.carom.internal.state.ObstacleRows;
 import dev.carom.internal.state.ObstacleTable;
 import dev.carom.internal.state.SceneData;
@@ -134,7 +134,7 @@ public final class Warnings {
     int k = rows.offset(code);
     double[] values = rows.values;
     for (int i : near(tree, sides -> rows.shape.overlaps(values, k, sides))) {
-      if (Filter.meet(obstacles.filter(code), scene.registry.filter(i))
+      if (FilterBits.meet(obstacles.filter(code), scene.registry.filter(i))
           && disk(i).overlaps(obstacles, code, 0)
           && !(obstacles.isOneWay(code) && isPassed(values, k, i))) {
         keep(i, code);

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 package dev.carom.internal.response;
 
-import dev.carom.internal.state.Filter;
+import dev.carom.internal.state.FilterBits;
 import dev.carom.internal.state.MovingCircle;
 import java.util.Arrays;
 
@@ -94,7 +94,7 @@ final class Members {
     frameY = new double[count];
     load = new double[count];
     jammed = new boolean[count];
-    Arrays.fill(filter, Filter.DEFAULT);
+    Arrays.fill(filter, FilterBits.DEFAULT);
   }
 
   boolean isAwake(int i) {

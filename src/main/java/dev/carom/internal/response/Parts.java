@@ -4,7 +4,7 @@ package dev.carom.internal.response;
 import dev.carom.internal.state.CircleRegistry;
 import dev.carom.internal.state.CircleTable;
 import dev.carom.internal.state.Codes;
-import dev.carom.internal.state.Filter;
+import dev.carom.internal.state.FilterBits;
 import dev.carom.internal.state.ObstacleMotions;
 import dev.carom.internal.state.ObstacleRows;
 import dev.carom.internal.state.ObstacleTable;
@@ -185,9 +185,9 @@ final class Parts {
   private boolean isSolid(long filter, int code) {
     if (Codes.isCircle(code)) {
       int slot = Codes.slot(code);
-      return Filter.meet(filter, registry.filter(slot)) && !registry.isSensor(slot);
+      return FilterBits.meet(filter, registry.filter(slot)) && !registry.isSensor(slot);
     }
-    return Filter.meet(filter, obstacles.filter(code))
+    return FilterBits.meet(filter, obstacles.filter(code))
         && (Codes.isWall(code) || !(obstacles.isGone(code) || obstacles.isSensor(code)));
   }
 
@@ -263,7 +263,7 @@ final class Parts {
     int lowest = part;
     for (int side : kind[part] == VERTEX ? links[part] : new int[0]) {
       boolean isLower = lowest == part || code[side] < code[lowest];
-      lowest = isLower && Filter.meet(filter, obstacles.filter(code[side])) ? side : lowest;
+      lowest = isLower && FilterBits.meet(filter, obstacles.filter(code[side])) ? side : lowest;
     }
     return lowest;
   }
@@ -611,7 +611,7 @@ final class Parts {
     for (int side : links[vertex]) {
       double along = (px - x[vertex]) * dx[side] + (py - y[vertex]) * dy[side];
       double inwards = links[side][0] == vertex ? along : -along;
-      if (inwards >= 0 && Filter.meet(filter, obstacles.filter(code[side]))) {
+      if (inwards >= 0 && FilterBits.meet(filter, obstacles.filter(code[side]))) {
         return true;
       }
     }

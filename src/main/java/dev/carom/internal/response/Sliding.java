@@ -2,7 +2,7 @@
 package dev.carom.internal.response;
 
 import dev.carom.internal.state.Codes;
-import dev.carom.internal.state.Filter;
+import dev.carom.internal.state.FilterBits;
 import dev.carom.internal.state.Gravity;
 import dev.carom.internal.state.MovingCircle;
 import dev.carom.internal.state.ObstacleTable;
@@ -215,7 +215,7 @@ public final class Sliding {
     if (!Codes.isLine(code) || obstacles.isSensor(code)) {
       return false;
     }
-    if (obstacles.isGone(code) || !Filter.meet(m.filter, obstacles.filter(code))) {
+    if (obstacles.isGone(code) || !FilterBits.meet(m.filter, obstacles.filter(code))) {
       return false;
     }
     take(m, code);

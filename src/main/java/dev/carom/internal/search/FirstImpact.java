@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 package dev.carom.internal.search;
 
-import dev.carom.internal.state.Filter;
+import dev.carom.internal.state.FilterBits;
 import dev.carom.internal.state.IgnoreList;
 import dev.carom.internal.state.MovingCircle;
 import dev.carom.internal.state.ObstacleTable;
@@ -89,7 +89,7 @@ abstract class FirstImpact {
     vy = m.vy;
     r = m.radius;
     jam = m.jam;
-    filtered = obstacles.areFiltered() || m.filter != Filter.DEFAULT;
+    filtered = obstacles.areFiltered() || m.filter != FilterBits.DEFAULT;
     bounded = filtered ? obstacles.wallsFor(m.filter) != null : obstacles.walls != null;
     special = obstacles.areSpecial();
     careful = special || ordersExactly;
@@ -111,7 +111,7 @@ abstract class FirstImpact {
 
   /** Whether filters let the circle pass through an obstacle. */
   final boolean isFiltered(int code) {
-    return filtered && !Filter.meet(body.filter, obstacles.filter(code));
+    return filtered && !FilterBits.meet(body.filter, obstacles.filter(code));
   }
 
   /** Takes an impact if it is before the best one so far, and returns whether it is. */

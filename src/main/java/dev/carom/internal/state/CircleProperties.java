@@ -5,7 +5,7 @@ package dev.carom.internal.state;
  * What an edit may change of a circle within a flight.
  *
  * @param traits its {@link ContactFlags}
- * @param filter its {@link Filter}
+ * @param filter its {@link FilterBits}
  * @param confined whether walls keep it inside
  */
 record CircleProperties(

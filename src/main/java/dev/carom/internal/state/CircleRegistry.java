@@ -6,7 +6,7 @@ import java.util.Arrays;
 
 /**
  * The circles of a world, without their motion: their masses, {@link ContactFlags} and {@link
- * Filter}s. Callers name a circle by its id, which is never reused. The engine names it by its
+ * FilterBits}s. Callers name a circle by its id, which is never reused. The engine names it by its
  * slot, an array index. The arrays are compacted when most slots belong to removed circles. The
  * order of slots is the order of ids, so whatever the order of slots decides does not depend on
  * compaction.
@@ -312,7 +312,7 @@ public final class CircleRegistry {
 
   /** Whether two circles can meet. */
   public boolean meet(int i, int j) {
-    return !traits.areFiltered() || Filter.meet(traits.filter(i), traits.filter(j));
+    return !traits.areFiltered() || FilterBits.meet(traits.filter(i), traits.filter(j));
   }
 
   @Override

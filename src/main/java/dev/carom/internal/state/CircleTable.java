@@ -88,7 +88,7 @@ public final class CircleTable extends FlightTable {
   }
 
   private long filter(int i) {
-    return registry == null ? Filter.DEFAULT : registry.filter(i);
+    return registry == null ? FilterBits.DEFAULT : registry.filter(i);
   }
 
   /** The walls that circle i does not leave, as {@link ObstacleTable#walls}; null for none. */

@@ -105,8 +105,8 @@ public final class MovingCircle {
   public double radius;
   public double restitution;
 
-  /** Its {@link Filter}, which the registry of the circles keeps. */
-  public long filter = Filter.DEFAULT;
+  /** Its {@link FilterBits}, which the registry of the circles keeps. */
+  public long filter = FilterBits.DEFAULT;
 
   /** The code of the obstacle or circle hit last, which this flight cannot hit again. */
   public int last;
@@ -167,7 +167,7 @@ public final class MovingCircle {
     this.vx = vx;
     this.vy = vy;
     this.restitution = restitution;
-    filter = Filter.DEFAULT;
+    filter = FilterBits.DEFAULT;
     t = 0;
     tl = 0;
     fall(0, 0);

@@ -28,7 +28,7 @@ final class ObstacleHistory {
       boolean gone = here.isGone(code);
       row = gone ? null : here.row(code);
       traits = gone ? 0 : here.traits(code);
-      filter = gone ? Filter.DEFAULT : here.filter(code);
+      filter = gone ? FilterBits.DEFAULT : here.filter(code);
       motion = !gone && here.moves(code) ? here.motions().only(code) : null;
     }
 

@@ -7,7 +7,7 @@ import java.util.Arrays;
 
 /**
  * The obstacles of one kind, by their {@link Codes}: for each a row of doubles, laid out by its
- * {@link ObstacleShape}, its {@link ContactFlags} and its {@link Filter}. The row of a removed
+ * {@link ObstacleShape}, its {@link ContactFlags} and its {@link FilterBits}. The row of a removed
  * obstacle is NaN, and its code is not used again.
  *
  * <p>Copies share their arrays until one of them is changed.
@@ -241,7 +241,7 @@ public final class ObstacleRows {
   void remove(int code) {
     edited = true;
     setTraits(code, 0);
-    setFilter(code, Filter.DEFAULT);
+    setFilter(code, FilterBits.DEFAULT);
     int k = offset(code);
     Arrays.fill(values, k, k + shape.row, Double.NaN);
     present.removed(1, this::isGone);

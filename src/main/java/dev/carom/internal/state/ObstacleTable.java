@@ -31,7 +31,7 @@ public final class ObstacleTable {
 
   public double boundsRestitution = 1;
   public int boundsTraits;
-  private long boundsFilter = Filter.DEFAULT;
+  private long boundsFilter = FilterBits.DEFAULT;
 
   /** The rows of each kind, by the {@linkplain Codes#part part} of the codes. */
   private final ObstacleRows[] byPart = new ObstacleRows[Codes.PARTS];
@@ -143,7 +143,7 @@ public final class ObstacleTable {
   private void countSpecials() {
     specials = 0;
     sensors = 0;
-    filtered = boundsFilter != Filter.DEFAULT;
+    filtered = boundsFilter != FilterBits.DEFAULT;
     for (ObstacleRows rows : kinds) {
       specials += rows.specials();
       sensors += rows.sensors();
@@ -320,14 +320,14 @@ public final class ObstacleTable {
     return Codes.isWall(code) ? boundsTraits : of(code).traits(code);
   }
 
-  /** The {@link Filter} of an obstacle. */
+  /** The {@link FilterBits} of an obstacle. */
   public long filter(int code) {
     return Codes.isWall(code) ? boundsFilter : of(code).filter(code);
   }
 
   /** Returns a predicate for the codes of the obstacles that a thing with a filter meets. */
   public IntPredicate met(long filter) {
-    return code -> Filter.meet(filter, filter(code));
+    return code -> FilterBits.meet(filter, filter(code));
   }
 
   /** Whether any obstacle may have a filter other than the default. */
@@ -337,7 +337,7 @@ public final class ObstacleTable {
 
   /** The walls that keep a circle of a given filter inside; null for none. */
   public double[] wallsFor(long filter) {
-    return Filter.meet(boundsFilter, filter) ? walls : null;
+    return FilterBits.meet(boundsFilter, filter) ? walls : null;
   }
 
   /** Whether a circle that hits an obstacle halts. */
@@ -420,7 +420,7 @@ public final class ObstacleTable {
     }
   }
 
-  /** Sets the {@link Filter} of an obstacle, that of a wall for all of them. */
+  /** Sets the {@link FilterBits} of an obstacle, that of a wall for all of them. */
   public void setFilter(int code, long filter) {
     if (Codes.isWall(code)) {
       boundsFilter = filter;

@@ -100,9 +100,9 @@ public final class SceneDataBuilder {
   public void filter(int category, int mask) {
     expectThing("filter");
     if (Codes.isCircle(last)) {
-      registry.setFilter(Codes.slot(last), Filter.of(category, mask));
+      registry.setFilter(Codes.slot(last), FilterBits.of(category, mask));
     } else {
-      obstacles.setFilter(last, Filter.of(category, mask));
+      obstacles.setFilter(last, FilterBits.of(category, mask));
     }
   }
 
@@ -112,12 +112,12 @@ public final class SceneDataBuilder {
 
   /** Sets the category of the thing added last; its mask stays. */
   public void category(int category) {
-    filter(category, Filter.mask(filter()));
+    filter(category, FilterBits.mask(filter()));
   }
 
   /** Sets the mask of the thing added last; its category stays. */
   public void mask(int mask) {
-    filter(Filter.category(filter()), mask);
+    filter(FilterBits.category(filter()), mask);
   }
 
   private void expectThing(String property) {

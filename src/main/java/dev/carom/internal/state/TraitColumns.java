@@ -4,7 +4,7 @@ package dev.carom.internal.state;
 import java.util.Arrays;
 
 /**
- * The {@link ContactFlags} and the {@link Filter} of each thing of a kind, by its number. Most
+ * The {@link ContactFlags} and the {@link FilterBits} of each thing of a kind, by its number. Most
  * things have no flag and the default filter: an array reaches to the last one that has another.
  */
 final class TraitColumns {
@@ -37,7 +37,7 @@ final class TraitColumns {
   }
 
   long filter(int i) {
-    return areFiltered() && i < filters.length ? filters[i] : Filter.DEFAULT;
+    return areFiltered() && i < filters.length ? filters[i] : FilterBits.DEFAULT;
   }
 
   /** Whether any thing may have a flag. */
@@ -61,7 +61,7 @@ final class TraitColumns {
     if (its != filter(i)) {
       int known = filters.length;
       filters = i < known ? filters : Arrays.copyOf(filters, 2 * i + 2);
-      Arrays.fill(filters, known, filters.length, Filter.DEFAULT);
+      Arrays.fill(filters, known, filters.length, FilterBits.DEFAULT);
       filters[i] = its;
     }
   }
@@ -69,9 +69,9 @@ final class TraitColumns {
   /** The filters of the first so many things; null if each is the default. */
   long[] filters(int count) {
     for (int i = 0; i < Math.min(count, filters.length); i++) {
-      if (filters[i] != Filter.DEFAULT) {
+      if (filters[i] != FilterBits.DEFAULT) {
         long[] all = Arrays.copyOf(filters, count);
-        Arrays.fill(all, Math.min(count, filters.length), count, Filter.DEFAULT);
+        Arrays.fill(all, Math.min(count, filters.length), count, FilterBits.DEFAULT);
         return all;
       }
     }

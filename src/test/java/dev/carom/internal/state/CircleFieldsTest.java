@@ -157,15 +157,15 @@ class CircleFieldsTest {
     CircleTable circles = CircleTable.colliding(2);
     MovingCircle m = circles.body;
     circles.load(1, m);
-    assertThat(m.filter).isEqualTo(Filter.DEFAULT);
+    assertThat(m.filter).isEqualTo(FilterBits.DEFAULT);
     CircleRegistry registry = new CircleRegistry(Internals.data(scene), 1);
     circles.setFilters(registry, ObstacleTable.of(Internals.data(scene)));
     circles.load(1, m);
-    assertThat(m.filter).isEqualTo(Filter.of(6, 5));
+    assertThat(m.filter).isEqualTo(FilterBits.of(6, 5));
     circles.loadForMeeting(circles.state, circles.codes, 0, m);
-    assertThat(m.filter).isEqualTo(Filter.DEFAULT);
+    assertThat(m.filter).isEqualTo(FilterBits.DEFAULT);
     circles.loadForMeeting(circles.state, circles.codes, 1, m);
-    assertThat(m.filter).isEqualTo(Filter.of(6, 5));
+    assertThat(m.filter).isEqualTo(FilterBits.of(6, 5));
   }
 
   /** Its restitution is not that of a flight, and stays. */

@@ -5,12 +5,12 @@ package dev.carom.internal.state;
  * The codec of filters: a category and a mask, each a set of 32 bits, in one long. Two things can
  * meet if each one's mask has a bit of the other one's category.
  */
-public final class Filter {
+public final class FilterBits {
 
   /** Category 1, which meets everything whose mask has that bit. */
   public static final long DEFAULT = of(1, -1);
 
-  private Filter() {}
+  private FilterBits() {}
 
   public static long of(int category, int mask) {
     return (long) category << Integer.SIZE | Integer.toUnsignedLong(mask);
