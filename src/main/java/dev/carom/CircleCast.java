@@ -26,11 +26,6 @@ final class CircleCast {
     return m;
   }
 
-  /** A peg; an endpoint is one of radius 0. */
-  static Circle peg(Obstacle obstacle) {
-    return obstacle instanceof Endpoint end ? new Circle(end.x(), end.y(), 0) : (Circle) obstacle;
-  }
-
   static Optional<Impact> line(Circle c, Vec2 v, Line l, Vec2 u, double maxTime) {
     return line(c, v, Vec2.ZERO, l, u, maxTime);
   }
@@ -102,7 +97,7 @@ final class CircleCast {
       return acceleratedToBounds(c, v, g, bounds, maxTime);
     }
     return accelerated(
-        c, v, g, peg(obstacle), Vec2.ZERO, Kind.PEG, obstacle, maxTime);
+        c, v, g, (Circle) obstacle, Vec2.ZERO, Kind.PEG, obstacle, maxTime);
   }
 
   private static Optional<Impact> acceleratedToBounds(

@@ -15,7 +15,7 @@ public enum Feature {
   START,
   /** The second end (bx, by) of a line: the centre projects on it or beyond it. */
   END,
-  /** A peg, a single endpoint, or another moving circle. */
+  /** A peg, or another moving circle. */
   CIRCLE;
 
   private static final Feature[] ALL = values();

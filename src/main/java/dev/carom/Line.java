@@ -49,8 +49,8 @@ public record Line(double ax, double ay, double bx, double by) implements Obstac
    *
    * @return the point (ax, ay)
    */
-  public Endpoint start() {
-    return new Endpoint(ax, ay);
+  public Vec2 start() {
+    return new Vec2(ax, ay);
   }
 
   /**
@@ -58,8 +58,8 @@ public record Line(double ax, double ay, double bx, double by) implements Obstac
    *
    * @return the point (bx, by)
    */
-  public Endpoint end() {
-    return new Endpoint(bx, by);
+  public Vec2 end() {
+    return new Vec2(bx, by);
   }
 
   /**

@@ -38,10 +38,10 @@ import java.util.Optional;
  * and {@link #respond respond} the velocities afterwards.
  *
  * <p>Impacts are those of {@link SweptCircle}. Among simultaneous ones walls come first, then
- * lines, then pegs and endpoints, each in their order. {@link #cast cast} compares times exactly;
- * {@link #trace trace}, like {@link World#step World.step}, treats impacts with equal rounded times
- * as simultaneous. Without gravity the thing just hit cannot be hit again before another one is;
- * with it, a circle may fall back on it. A circle that gets stuck follows the <a
+ * lines, then pegs, each in their order. {@link #cast cast} compares times exactly; {@link #trace
+ * trace}, like {@link World#step World.step}, treats impacts with equal rounded times as
+ * simultaneous. Without gravity the thing just hit cannot be hit again before another one is; with
+ * it, a circle may fall back on it. A circle that gets stuck follows the <a
  * href="doc-files/rules.html#stuck">rule for stuck circles</a>.
  */
 public final class Resolver {
@@ -73,7 +73,7 @@ public final class Resolver {
   /**
    * Makes a resolver among elastic obstacles.
    *
-   * @param obstacles lines, pegs, endpoints and at most one bounds
+   * @param obstacles lines, pegs and at most one bounds
    * @return the resolver
    * @throws IllegalArgumentException if there is more than one bounds
    */
@@ -90,9 +90,9 @@ public final class Resolver {
       } else if (obstacle instanceof Bounds bounds) {
         add(builder, bounds);
       } else {
-        Circle peg = CircleCast.peg(obstacle);
+        Circle peg = (Circle) obstacle;
         builder.obstacle(KindNumber.PEG, peg.x(), peg.y(), peg.radius());
-        pegs.add(obstacle);
+        pegs.add(peg);
       }
     }
     ObstacleTable table = ObstacleTable.of(builder.build());
@@ -108,7 +108,7 @@ public final class Resolver {
     }
   }
 
-  /** Returns the record that was given for a code: an endpoint is a peg in the table. */
+  /** Returns the record that was given for a code. */
   private static Obstacle record(
       ObstacleTable table, int code, List<Obstacle> lines, List<Obstacle> pegs) {
     return switch (Codes.kind(code)) {
@@ -224,7 +224,7 @@ public final class Resolver {
 
   /**
    * Finds the obstacle that is nearest to a point. Among equally near ones it is the first: walls,
-   * then lines, then pegs and endpoints, each in their order.
+   * then lines, then pegs, each in their order.
    *
    * <p>Distances are computed in plain doubles: to a wall, to a line, or to the rim of a peg.
    * Inside of a peg the distance is 0.
@@ -251,8 +251,8 @@ public final class Resolver {
    * inside, and no line.
    *
    * @param disk the disk
-   * @return the obstacles: the bounds once, however many walls overlap, then lines, then pegs and
-   *     endpoints, each in their order, equal ones too
+   * @return the obstacles: the bounds once, however many walls overlap, then lines, then pegs, each
+   *     in their order, equal ones too
    */
   public List<Obstacle> overlapping(Circle disk) {
     return overlapping(PublicRecords.region(disk));

@@ -389,7 +389,7 @@ public final class SweptCircle {
    *
    * @param circle the circle at the start of its motion
    * @param velocity its velocity
-   * @param obstacle a line, an endpoint, a peg or bounds; of bounds the wall that is hit first is
+   * @param obstacle a line, a peg or bounds; of bounds the wall that is hit first is
    *     reported, as {@link Feature#SIDE}: exactly the earliest one, and the vertical one of two that
    *     are hit at exactly the same time
    * @param maxTime the end of the window
@@ -408,7 +408,7 @@ public final class SweptCircle {
     if (obstacle instanceof Bounds bounds) {
       return CircleCast.bounds(circle, velocity, bounds, maxTime);
     }
-    Circle peg = CircleCast.peg(obstacle);
+    Circle peg = (Circle) obstacle;
     return CircleCast.disk(circle, velocity, peg, Vec2.ZERO, Kind.PEG, obstacle, maxTime);
   }
 
@@ -463,7 +463,7 @@ public final class SweptCircle {
    * @param circle the circle at the start of its motion
    * @param velocity its velocity at the start
    * @param acceleration its constant acceleration
-   * @param obstacle a line, an endpoint, a peg or bounds; of bounds the wall that is hit first is
+   * @param obstacle a line, a peg or bounds; of bounds the wall that is hit first is
    *     reported, as {@link Feature#SIDE}: exactly the earliest one, and the vertical one of two that
    *     are hit at exactly the same time
    * @param maxTime the end of the window

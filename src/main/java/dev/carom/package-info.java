@@ -27,9 +27,9 @@
  *
  * <ol>
  *   <li>Geometry: the records {@link dev.carom.Vec2}, {@link dev.carom.Circle}, {@link
- *       dev.carom.Line}, {@link dev.carom.Endpoint} and {@link dev.carom.Bounds}. Each but {@code
- *       Vec2} is an {@link dev.carom.Obstacle}. They are checked when they are made, so no other
- *       method meets a NaN in one.
+ *       dev.carom.Line} with its endpoints, and {@link dev.carom.Bounds}. Each but {@code Vec2} is
+ *       an {@link dev.carom.Obstacle}. They are checked when they are made, so no other method
+ *       meets a NaN in one.
  *   <li>Detector: {@link dev.carom.SweptCircle} tells when a moving circle hits an obstacle or
  *       another circle. One form of each question takes and returns doubles, {@code +infinity} for
  *       never. The other takes records and returns an {@link dev.carom.Impact}, with the {@link

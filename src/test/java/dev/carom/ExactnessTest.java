@@ -122,13 +122,7 @@ class ExactnessTest {
       double time =
           SweptCircle.peg(
               q.x1(), q.y1(), q.r1(), q.vx1(), q.vy1(), q.x2(), q.y2(), q.r2(), q.end());
-      Answer answer = answer(time, cast(q.x1(), q.y1(), q.r1(), q.vx1(), q.vy1(), peg, q.end()));
-      if (q.r2() == 0) {
-        Endpoint point = new Endpoint(q.x2(), q.y2());
-        Optional<Impact> same = cast(q.x1(), q.y1(), q.r1(), q.vx1(), q.vy1(), point, q.end());
-        assertEquals(answer, answer(time, same), "a peg of radius 0 is an endpoint");
-      }
-      return answer;
+      return answer(time, cast(q.x1(), q.y1(), q.r1(), q.vx1(), q.vy1(), peg, q.end()));
     }
 
     @Override

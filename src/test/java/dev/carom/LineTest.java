@@ -20,8 +20,8 @@ class LineTest {
   void endsAreThePointsItWasMadeOf() {
     Line line = new Line(new Vec2(1, 2), new Vec2(3, 4));
     assertThat(line).isEqualTo(new Line(1, 2, 3, 4));
-    assertThat(line.start()).isEqualTo(new Endpoint(1, 2));
-    assertThat(line.end()).isEqualTo(new Endpoint(3, 4));
+    assertThat(line.start()).isEqualTo(new Vec2(1, 2));
+    assertThat(line.end()).isEqualTo(new Vec2(3, 4));
   }
 
   @ParameterizedTest

@@ -33,7 +33,7 @@ class ResolverTest {
 
   @Test
   void endpointsStandAmongThePegs() {
-    Endpoint end = new Endpoint(0, 0);
+    Circle end = new Circle(0, 0, 0);
     Resolver resolver = Resolver.of(List.of(new Circle(0, 90, 1), end));
     Impact impact = resolver.cast(new Circle(0, 10, 1), DOWN, 100).orElseThrow();
     assertThat(impact.obstacle()).isEqualTo(end);
@@ -63,7 +63,7 @@ class ResolverTest {
   @ParameterizedTest
   @CsvSource({"0x1p55, -0x1p53, 5", "0x1p60, -0x1p60, 2", "-0x1p200, 0x1p199, 3"})
   void aWayFromFarOffTurnsBackAtWhatItHitsHeadOn(double x, double vx, double duration) {
-    for (Obstacle o : List.of(new Circle(0, 0, 1), new Endpoint(0, 0))) {
+    for (Obstacle o : List.of(new Circle(0, 0, 1), new Circle(0, 0, 0))) {
       Trajectory way =
           Resolver.of(List.of(o)).trace(new Circle(x, 0, 1), new Vec2(vx, 0), duration);
       assertThat(way.impacts()).hasSize(1);
@@ -87,7 +87,7 @@ class ResolverTest {
   @ParameterizedTest
   @ValueSource(doubles = {1e-18, 1e-100, 1e-300})
   void aRadiusFarBelowTheRoundingOfPlacesTurnsByTheDetectorsNormal(double radius) {
-    Resolver resolver = Resolver.of(List.of(new Endpoint(1, 0)));
+    Resolver resolver = Resolver.of(List.of(new Circle(1, 0, 0)));
     Trajectory way = resolver.trace(new Circle(0, 0, radius), new Vec2(1, 0), 3);
     assertThat(way.impacts()).hasSize(1);
     assertThat(way.impacts().get(0).normal()).isEqualTo(new Vec2(-1, 0));
@@ -149,7 +149,7 @@ class ResolverTest {
   /** And so it is far away: 10^-9 beside a coordinate of 10^6. */
   @Test
   void farAwayItTurnsByTheDetectorsNormalToo() {
-    Endpoint end = new Endpoint(1e6, 3e5);
+    Circle end = new Circle(1e6, 3e5, 0);
     Circle circle = new Circle(999_990, 3e5 + 6e-10, 1e-9);
     Vec2 velocity = new Vec2(1, 0);
     Vec2 truth = SweptCircle.cast(circle, velocity, end, 20).orElseThrow().normal();

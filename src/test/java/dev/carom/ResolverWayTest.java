@@ -14,7 +14,7 @@ class ResolverWayTest {
   private static final Bounds ROOM = new Bounds(0, 0, 100, 100);
   private static final Line LINE = new Line(20, 0, 20, 60);
   private static final Circle PEG = new Circle(80, 80, 10);
-  private static final Endpoint END = new Endpoint(60, 20);
+  private static final Circle END = new Circle(60, 20, 0);
   private static final Circle CIRCLE = new Circle(50, 50, 5);
   private static final Resolver RESOLVER = Resolver.of(List.of(LINE, END, ROOM, PEG));
 

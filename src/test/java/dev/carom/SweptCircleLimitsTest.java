@@ -51,7 +51,7 @@ class SweptCircleLimitsTest {
   void theNormalAtATimeThatIsRoundedTo0() {
     Circle circle = new Circle(-1.25 * 0x1p-52, 0x1p-53, 0x1p-52);
     Impact atPoint =
-        SweptCircle.cast(circle, new Vec2(0x1p1023, 0), new Endpoint(0, 0), 1).orElseThrow();
+        SweptCircle.cast(circle, new Vec2(0x1p1023, 0), new Circle(0, 0, 0), 1).orElseThrow();
     assertThat(atPoint.time()).isZero();
     assertVector(atPoint.normal(), new Vec2(-Math.sqrt(0.75), 0.5), 1e-15);
     Impact atLine = hit(new Circle(0x1p-60, 0x1p-60, 0), new Vec2(-0x1p1023, -0x1p1023), FLOOR);

@@ -102,7 +102,7 @@ class SweptCircleOtherObstaclesTest {
 
   @Test
   void anEndpointIsAPegOfRadiusZero() {
-    Endpoint end = new Endpoint(10, 0);
+    Circle end = new Circle(10, 0, 0);
     Impact impact = SweptCircle.cast(new Circle(16, 8, 5), new Vec2(-3, -4), end, 1).orElseThrow();
     assertImpact(
         impact,

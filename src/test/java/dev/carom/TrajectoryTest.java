@@ -29,7 +29,7 @@ class TrajectoryTest {
         time,
         Kind.PEG,
         0,
-        new Endpoint(x, 1),
+        new Circle(x, 1, 0),
         Feature.CIRCLE,
         new Vec2(x, 1),
         new Vec2(normal, 0),

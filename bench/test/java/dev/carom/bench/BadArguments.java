@@ -4,7 +4,6 @@ package dev.carom.bench;
 import dev.carom.Bounds;
 import dev.carom.Casts;
 import dev.carom.Circle;
-import dev.carom.Endpoint;
 import dev.carom.Feature;
 import dev.carom.Impact;
 import dev.carom.ImpactLog;
@@ -119,7 +118,8 @@ final class BadArguments {
               Bounds.class,
               () -> new Object[] {BOX, new Bounds(-1e308, -1e308, 1e308, 1e308), null}),
           Map.entry(
-              Obstacle.class, () -> new Object[] {LINE, CIRCLE, BOX, new Endpoint(1e308, 0), null}),
+              Obstacle.class,
+              () -> new Object[] {LINE, CIRCLE, BOX, new Circle(1e308, 0, 0), null}),
           Map.entry(Kind.class, () -> withNull(Kind.values())),
           Map.entry(Feature.class, () -> withNull(Feature.values())),
           Map.entry(Response.class, () -> withNull(Response.values())),
@@ -244,7 +244,6 @@ final class BadArguments {
             Map.entry(Vec2.class, List.of(() -> V)),
             Map.entry(Circle.class, List.of(() -> CIRCLE)),
             Map.entry(Bounds.class, List.of(() -> BOX)),
-            Map.entry(Endpoint.class, List.of(() -> new Endpoint(1, 2))),
             Map.entry(
                 Impact.class, List.of(() -> scene(true).resolver().cast(CIRCLE, V, 99).get())),
             Map.entry(SceneFormatException.class, List.of(BadArguments::badScene)));

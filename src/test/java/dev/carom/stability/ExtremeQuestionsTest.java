@@ -6,7 +6,6 @@ import static org.assertj.core.api.Assertions.within;
 
 import dev.carom.Bounds;
 import dev.carom.Circle;
-import dev.carom.Endpoint;
 import dev.carom.Impact;
 import dev.carom.Line;
 import dev.carom.Obstacle;
@@ -56,7 +55,7 @@ class ExtremeQuestionsTest {
     return switch (e.random.nextInt(3)) {
       case 0 -> line(e);
       case 1 -> circle(e);
-      default -> new Endpoint(e.any(), e.any());
+      default -> new Circle(e.any(), e.any(), 0);
     };
   }
 
