@@ -83,8 +83,7 @@ final class Flights {
     closeCount = 0;
     for (int k = 0; k < p.size; k++) {
       double low = p.standoff[k] / 2;
-      double back = low - p.gap[k];
-      double goal = isDeep(k) ? 0 : (back > 0 ? ContactLaw.BACK * back : back) / h;
+      double goal = p.leaving(low, k, h);
       if (p.felt[k] && (p.gap[k] < 4 * low || p.opening(u, k) < goal)) {
         close[closeCount] = k;
         impulse[closeCount] = 0;
@@ -95,11 +94,6 @@ final class Flights {
     for (int s = 1; s < ContactLaw.PUSHES && any; s++) {
       any = partOnce();
     }
-  }
-
-  /** Deep overlaps are there from the start, and nothing pushes them apart. */
-  private boolean isDeep(int k) {
-    return graph.pairs.gap[k] < -graph.pairs.standoff[k] / 2;
   }
 
   private boolean partOnce() {
@@ -161,7 +155,7 @@ final class Flights {
   private double least(int k, double h) {
     double keep = graph.pairs.standoff[k] / 4;
     double gap = graph.pairs.gap[k];
-    if (isDeep(k)) {
+    if (graph.pairs.isDeep(k)) {
       return 0;
     }
     return -(gap - Math.min(keep, gap + keep / 2)) / h;

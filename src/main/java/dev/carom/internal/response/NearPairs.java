@@ -88,6 +88,20 @@ final class NearPairs {
     return (q[a] - q[b]) * nx[k] + (q[a + 1] - q[b + 1]) * ny[k] - drift[k];
   }
 
+  /** Deep overlaps are there from the start, and nothing pushes them apart. */
+  boolean isDeep(int k) {
+    return gap[k] < -standoff[k] / 2;
+  }
+
+  /**
+   * The least speed of the gap of a pair that is left a distance at the end of a tick: some of it,
+   * where the gap is smaller.
+   */
+  double leaving(double distance, int k, double h) {
+    double back = distance - gap[k];
+    return isDeep(k) ? 0 : (back > 0 ? ContactLaw.BACK * back : back) / h;
+  }
+
   /** Whether a pair would meet within a time, by more than rounding. */
   boolean meets(double[] u, int k, double time, double radius) {
     double least = Math.min(0, -gap[k] - ContactLaw.SLACK * radius);

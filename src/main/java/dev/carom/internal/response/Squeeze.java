@@ -245,13 +245,10 @@ final class Squeeze {
       int i = p.owner[k];
       int j = p.other[k];
       if (p.felt[k] && (inside[groups.of(i)] || (isAwake(j) && inside[groups.of(j)]))) {
-        double gap = p.gap[k];
-        double keep = Math.min(p.standoff[k] / 4, gap / 2);
-        double target = gap <= 0 ? 0 : -(gap - keep) / h;
         int second = isAwake(j) ? graph.rank[j] : graph.awake;
         pair[sweeps.size()] = k;
         double[] w = momenta.weight;
-        double goal = target + p.drift[k];
+        double goal = p.leaving(p.standoff[k] / 4, k, h) + p.drift[k];
         sweeps.add(graph.rank[i], second, p.nx[k], p.ny[k], goal, w[i], w[j], 0);
       }
     }
