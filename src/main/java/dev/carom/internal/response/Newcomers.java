@@ -44,7 +44,7 @@ final class Newcomers {
   }
 
   /**
-   * Gives a newcomer a flight.
+   * Gives a newcomer a flight: not much faster than its own, but what moves may push it.
    *
    * @param px,py the one that it would have
    * @return false if the tick has to end now
@@ -57,8 +57,9 @@ final class Newcomers {
     if (!(time > 0)) {
       return false;
     }
-    double most = ContactLaw.NEWCOMER * Math.sqrt(px * px + py * py) + slow;
     longest = Math.max(longest, parts.fastest());
+    double pushed = parts.areMoving() ? longest : 0;
+    double most = ContactLaw.NEWCOMER * Math.sqrt(px * px + py * py) + slow + pushed;
     lookAround(i, (most + longest) * time + ContactLaw.STANDOFF * members.radius[i]);
     if (takesNearest(i, px, py, most) || takesOther(i, px, py, most)) {
       longest = Math.max(longest, members.speed(i));
