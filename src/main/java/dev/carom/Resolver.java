@@ -6,7 +6,6 @@ import dev.carom.internal.query.Proximity;
 import dev.carom.internal.query.Region;
 import dev.carom.internal.query.TracedPath;
 import dev.carom.internal.query.Tracer;
-import dev.carom.internal.response.Impulse;
 import dev.carom.internal.response.SphereResponse;
 import dev.carom.internal.search.ObstacleIndex;
 import dev.carom.internal.state.Codes;
@@ -291,43 +290,6 @@ public final class Resolver {
       }
     }
     return List.copyOf(things);
-  }
-
-  /**
-   * Reflects a velocity at a surface, if it points against the surface's normal.
-   *
-   * <p>The result is {@code v - (1 + e) (v.n) / (n.n) n}. Exact arithmetic decides whether the
-   * velocity points against the normal.
-   *
-   * @param velocity the velocity before
-   * @param normal the normal, of any length but zero, pointing away from the obstacle
-   * @param restitution finite and at least 0: 1 is elastic, 0 keeps no motion along the normal
-   * @return the velocity after; the same one if it does not point against the normal
-   * @throws IllegalArgumentException if the normal is zero, the restitution NaN, infinite or
-   *     negative, or the velocity after beyond the range of doubles
-   */
-  public static Vec2 reflect(Vec2 velocity, Vec2 normal, double restitution) {
-    Check.notNull("velocity", velocity);
-    Check.notNull("normal", normal);
-    Check.notNegative("restitution", restitution);
-    if (normal.x() == 0 && normal.y() == 0) {
-      throw Check.refused("normal", normal, "a vector other than zero");
-    }
-    if (Predicates.dot(velocity.x(), velocity.y(), 0, 0, normal.x(), normal.y(), 0, 0) >= 0) {
-      return velocity;
-    }
-    int size = Math.getExponent(Math.max(Math.abs(normal.x()), Math.abs(normal.y())));
-    double nx = Math.scalb(normal.x(), -size);
-    double ny = Math.scalb(normal.y(), -size);
-    Impulse impulse = new Impulse();
-    impulse.of(1 + restitution, velocity.x(), velocity.y(), nx, ny);
-    double vx = impulse.less(velocity.x(), nx);
-    double vy = impulse.less(velocity.y(), ny);
-    if (!(Math.abs(vx) <= Double.MAX_VALUE && Math.abs(vy) <= Double.MAX_VALUE)) {
-      throw Check.refused(
-          "restitution", restitution, "one with which " + velocity + " stays finite");
-    }
-    return new Vec2(vx, vy);
   }
 
   /**

@@ -6,7 +6,6 @@ import dev.carom.internal.sweep.FallSweep;
 import dev.carom.internal.sweep.DiskSweep;
 import dev.carom.internal.sweep.ParabolaWallSweep;
 import dev.carom.internal.sweep.SegmentSweep;
-import dev.carom.internal.sweep.Separation;
 import dev.carom.internal.sweep.WallSweep;
 import dev.carom.internal.util.Check;
 import java.util.Optional;
@@ -507,82 +506,6 @@ public final class SweptCircle {
         ? cast(first, v1, second, v2, maxTime)
         : CircleCast.accelerated(
             first, v1, acceleration, second, v2, Kind.CIRCLE, second, maxTime);
-  }
-
-  /**
-   * Tells whether two circles overlap: the distance of their centres is less than r1 + r2, exactly.
-   * Touching is not overlapping.
-   *
-   * @param x1 the x coordinate of the first circle's centre
-   * @param y1 the y coordinate of the first circle's centre
-   * @param r1 the radius of the first circle
-   * @param x2 the x coordinate of the second circle's centre
-   * @param y2 the y coordinate of the second circle's centre
-   * @param r2 the radius of the second circle
-   * @return true if they overlap
-   * @throws IllegalArgumentException if a number is outside its range
-   */
-  public static boolean overlaps(
-      double x1, double y1, double r1, double x2, double y2, double r2) {
-    if (!(0 * (x1 + y1 + r1 + x2 + y2 + r2) == 0 && r1 >= 0 && r2 >= 0)) {
-      Check.finite("x1", x1);
-      Check.finite("y1", y1);
-      Check.notNegative("r1", r1);
-      Check.finite("x2", x2);
-      Check.finite("y2", y2);
-      Check.notNegative("r2", r2);
-    }
-    return DiskSweep.overlaps(x1, y1, r1, x2, y2, r2);
-  }
-
-  /**
-   * Returns the least translation that moves a circle out of another circle, or out of a peg, so that
-   * they touch.
-   *
-   * <p>It points away from the other's centre, or along +x if the two are concentric. If x and y are
-   * added to the circle's centre in doubles, the two do not {@linkplain #overlaps overlap}. To make sure
-   * of that it may exceed the least translation, by at most 8 ulps of the sum of the largest coordinate
-   * and the radii.
-   *
-   * @param circle the circle to be moved
-   * @param other the one that stays
-   * @return the translation, {@link Vec2#ZERO} if they do not overlap
-   * @throws IllegalArgumentException if they overlap, and the largest coordinate and the radii
-   *     together exceed 2^1023
-   */
-  public static Vec2 separation(Circle circle, Circle other) {
-    Check.notNull("circle", circle);
-    Check.notNull("other", other);
-    return vector(
-        Separation.ofDisk(
-            circle.x(), circle.y(), circle.radius(), other.x(), other.y(), other.radius()));
-  }
-
-  /**
-   * Returns the least translation that moves a circle out of a line, ends included, so that they touch.
-   *
-   * <p>It points away from the line's nearest point. If the centre is exactly on the line, it points
-   * along the line's left normal, or along +x if the line has no length. If x and y are added to the
-   * circle's centre in doubles, its distance from the line is not less than its radius. To make sure of
-   * that it may exceed the least translation, by at most 8 ulps of the sum of the largest coordinate and
-   * the radius.
-   *
-   * @param circle the circle to be moved
-   * @param line the line
-   * @return the translation, {@link Vec2#ZERO} if they do not overlap
-   * @throws IllegalArgumentException if they overlap, and the largest coordinate and the radius
-   *     together exceed 2^1023
-   */
-  public static Vec2 separation(Circle circle, Line line) {
-    Check.notNull("circle", circle);
-    Check.notNull("line", line);
-    return vector(
-        Separation.ofLine(
-            circle.x(), circle.y(), circle.radius(), line.ax(), line.ay(), line.bx(), line.by()));
-  }
-
-  private static Vec2 vector(Separation separation) {
-    return new Vec2(separation.x(), separation.y());
   }
 
   private static void check(double px, double py, double r, double vx, double vy, double maxTime) {

@@ -814,8 +814,7 @@ public final class World {
    *
    * <p>If it overlaps something at the new place, it is not pushed out. If it approaches that
    * thing, it bounces at the very start of the next step; otherwise it flies on. {@link
-   * SweptCircle#separation(Circle, Line) SweptCircle.separation} tells by how much to move it to be
-   * clear.
+   * Circle#separation Circle.separation} tells by how much to move it to be clear.
    *
    * @param id the id of the circle
    * @param x the x coordinate of the centre, finite

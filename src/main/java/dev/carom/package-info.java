@@ -95,7 +95,7 @@
  *   <li>Lines are solid from both sides. The direction of a line matters for three things: which
  *       end is the {@linkplain dev.carom.Feature#START start}, {@linkplain
  *       dev.carom.SceneBuilder#oneWay one-way lines}, and the {@linkplain
- *       dev.carom.SweptCircle#separation(Circle, Line) separation} of a centre exactly on the line.
+ *       dev.carom.Circle#separation separation} of a centre exactly on the line.
  *   <li>The restitution of an impact is the product of those of the two parties.
  *   <li>An impact is the first moment at which a circle touches or overlaps a thing and approaches
  *       it. To touch is to have the centre as far from a line or a wall as the radius, and from a

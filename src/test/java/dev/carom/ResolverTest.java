@@ -99,11 +99,11 @@ class ResolverTest {
   @Test
   void reflectsAgainstTheNormalOnly() {
     Vec2 v = new Vec2(3, -4);
-    assertThat(Resolver.reflect(v, new Vec2(0, 2), 1)).isEqualTo(new Vec2(3, 4));
-    assertThat(Resolver.reflect(v, new Vec2(0, 2), 0.5)).isEqualTo(new Vec2(3, 2));
-    assertThat(Resolver.reflect(v, new Vec2(0, 2), 0)).isEqualTo(new Vec2(3, 0));
-    assertThat(Resolver.reflect(v, new Vec2(0, -2), 1)).as("leaving").isEqualTo(v);
-    assertThat(Resolver.reflect(v, new Vec2(4, 3), 1)).as("along").isEqualTo(v);
+    assertThat(v.reflect(new Vec2(0, 2), 1)).isEqualTo(new Vec2(3, 4));
+    assertThat(v.reflect(new Vec2(0, 2), 0.5)).isEqualTo(new Vec2(3, 2));
+    assertThat(v.reflect(new Vec2(0, 2), 0)).isEqualTo(new Vec2(3, 0));
+    assertThat(v.reflect(new Vec2(0, -2), 1)).as("leaving").isEqualTo(v);
+    assertThat(v.reflect(new Vec2(4, 3), 1)).as("along").isEqualTo(v);
   }
 
   /** v.n and n.n leave the range of doubles in all of these but the first. */
@@ -118,7 +118,7 @@ class ResolverTest {
     "1e150, 1"
   })
   void reflectsAtAnySize(double speed, double length) {
-    Vec2 v = Resolver.reflect(new Vec2(0, -speed), new Vec2(length, length), 1);
+    Vec2 v = new Vec2(0, -speed).reflect(new Vec2(length, length), 1);
     assertThat(v.x()).isCloseTo(speed, within(1e-15 * speed));
     assertThat(v.y()).isCloseTo(0, within(1e-15 * speed));
   }
@@ -127,23 +127,21 @@ class ResolverTest {
   void refusesWhatCannotBeReflected() {
     Vec2 up = new Vec2(0, 1);
     assertThatIllegalArgumentException()
-        .isThrownBy(() -> Resolver.reflect(DOWN, Vec2.ZERO, 1))
+        .isThrownBy(() -> DOWN.reflect(Vec2.ZERO, 1))
         .withMessageContaining("normal is Vec2[x=0.0, y=0.0]");
     assertThatIllegalArgumentException()
-        .isThrownBy(() -> Resolver.reflect(DOWN, up, Double.NaN))
+        .isThrownBy(() -> DOWN.reflect(up, Double.NaN))
         .withMessageContaining("restitution is NaN");
     assertThatIllegalArgumentException()
-        .isThrownBy(() -> Resolver.reflect(new Vec2(0, -1e300), up, 1e300))
+        .isThrownBy(() -> new Vec2(0, -1e300).reflect(up, 1e300))
         .withMessageContaining("restitution is 1.0E300");
   }
 
   @Test
   void theLargestVelocityCanBeTurnedRound() {
     double most = Double.MAX_VALUE;
-    assertThat(Resolver.reflect(new Vec2(-most, 0), new Vec2(1, 0), 1))
-        .isEqualTo(new Vec2(most, 0));
-    assertThat(Resolver.reflect(new Vec2(0, most), new Vec2(0, -1), 1))
-        .isEqualTo(new Vec2(0, -most));
+    assertThat(new Vec2(-most, 0).reflect(new Vec2(1, 0), 1)).isEqualTo(new Vec2(most, 0));
+    assertThat(new Vec2(0, most).reflect(new Vec2(0, -1), 1)).isEqualTo(new Vec2(0, -most));
   }
 
   /** And so it is far away: 10^-9 beside a coordinate of 10^6. */

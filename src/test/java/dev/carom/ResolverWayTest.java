@@ -116,10 +116,10 @@ class ResolverWayTest {
 
   @Test
   void reflects() {
-    assertThat(Resolver.reflect(new Vec2(3, -4), new Vec2(0, 2), 0.5)).isEqualTo(new Vec2(3, 2));
-    assertThat(Resolver.reflect(new Vec2(3, -4), new Vec2(-1, 1), 1)).isEqualTo(new Vec2(-4, 3));
-    assertThat(Resolver.reflect(new Vec2(3, 4), new Vec2(0, 2), 0.5)).isEqualTo(new Vec2(3, 4));
-    assertThat(Resolver.reflect(new Vec2(3, 0), new Vec2(0, 2), 0.5)).isEqualTo(new Vec2(3, 0));
+    assertThat(new Vec2(3, -4).reflect(new Vec2(0, 2), 0.5)).isEqualTo(new Vec2(3, 2));
+    assertThat(new Vec2(3, -4).reflect(new Vec2(-1, 1), 1)).isEqualTo(new Vec2(-4, 3));
+    assertThat(new Vec2(3, 4).reflect(new Vec2(0, 2), 0.5)).isEqualTo(new Vec2(3, 4));
+    assertThat(new Vec2(3, 0).reflect(new Vec2(0, 2), 0.5)).isEqualTo(new Vec2(3, 0));
   }
 
   @ParameterizedTest
@@ -128,7 +128,7 @@ class ResolverWayTest {
     refused(() -> RESOLVER.trace(CIRCLE, Vec2.ZERO, bad, 1, 1), "restitution is " + bad);
     refused(() -> RESOLVER.trace(CIRCLE, Vec2.ZERO, 1, bad, 1), "duration is " + bad);
     refused(() -> RESOLVER.trace(CIRCLE, Vec2.ZERO, bad), "duration is " + bad);
-    refused(() -> Resolver.reflect(Vec2.ZERO, new Vec2(1, 0), bad), "restitution is " + bad);
+    refused(() -> Vec2.ZERO.reflect(new Vec2(1, 0), bad), "restitution is " + bad);
   }
 
   @Test
@@ -136,7 +136,7 @@ class ResolverWayTest {
     refused(
         () -> RESOLVER.trace(CIRCLE, Vec2.ZERO, 1, 1, -1), "impacts is -1: expected at least 0");
     refused(() -> RESOLVER.cast(CIRCLE, Vec2.ZERO, -1), "maxTime is -1");
-    refused(() -> Resolver.reflect(new Vec2(1, 0), Vec2.ZERO, 1), "normal");
+    refused(() -> new Vec2(1, 0).reflect(Vec2.ZERO, 1), "normal");
     refused(() -> Resolver.of(List.of(ROOM, new Bounds(1, 2, 3, 4))), "second");
   }
 

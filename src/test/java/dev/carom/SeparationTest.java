@@ -6,11 +6,14 @@ import static org.assertj.core.api.Assertions.assertThatThrownBy;
 
 import dev.carom.oracle.Distance;
 import dev.carom.oracle.Draw;
+import dev.carom.oracle.Dyadic;
 import dev.carom.oracle.Families;
 import dev.carom.oracle.Family;
 import dev.carom.oracle.PairQuery;
 import dev.carom.oracle.Query;
 import dev.carom.oracle.SegmentQuery;
+import dev.carom.oracle.WallQuery;
+import java.util.List;
 import java.util.stream.Stream;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
@@ -23,10 +26,10 @@ class SeparationTest {
   private static final double LARGEST = 0x1p1022;
 
   static Stream<Family> families() {
-    return Families.all().stream().filter(family -> !family.name().startsWith("wall_"));
+    return Families.all().stream();
   }
 
-  /** The circles and lines of all kinds of queries, each radius made larger at random. */
+  /** The circles, lines and bounds of all kinds of queries, each radius made larger at random. */
   @ParameterizedTest
   @MethodSource("families")
   void movesOutAndNoFurther(Family family) {
@@ -41,6 +44,10 @@ class SeparationTest {
       } else if (query instanceof SegmentQuery q) {
         Circle circle = new Circle(q.px(), q.py(), q.r());
         moved += movesOut(circle, new Line(q.ax(), q.ay(), q.bx(), q.by()), exponent, q) ? 1 : 0;
+      } else if (query instanceof WallQuery q) {
+        Circle circle = new Circle(q.px(), q.py(), q.r());
+        Bounds bounds = new Bounds(q.xmin(), q.ymin(), q.xmax(), q.ymax());
+        moved += movesOut(circle, bounds, exponent, q) ? 1 : 0;
       }
     }
     assertThat(moved).isGreaterThan((int) (QUERIES / 100));
@@ -62,37 +69,71 @@ class SeparationTest {
     if (size > LARGEST) {
       return false;
     }
-    Distance distance = distance(circle, obstacle);
-    Vec2 t =
-        obstacle instanceof Line line
-            ? SweptCircle.separation(circle, line)
-            : SweptCircle.separation(circle, (Circle) obstacle);
-    if (obstacle instanceof Circle other) {
-      assertThat(
-              SweptCircle.overlaps(
-                  circle.x(), circle.y(), circle.radius(), other.x(), other.y(), other.radius()))
-          .as(q.hex())
-          .isEqualTo(distance.isLess());
-    }
-    if (!distance.isLess()) {
-      assertThat(t).as(q.hex()).isEqualTo(Vec2.ZERO);
+    boolean overlaps = overlaps(circle, obstacle);
+    assertThat(circle.overlaps(obstacle)).as(q.hex()).isEqualTo(overlaps);
+    if (!overlaps) {
+      assertThat(circle.separation(obstacle)).as(q.hex()).isEqualTo(Vec2.ZERO);
       return false;
     }
+    if (obstacle instanceof Bounds bounds && room(circle, bounds) < 32 * Math.ulp(size)) {
+      return false;
+    }
+    Vec2 t = circle.separation(obstacle);
     Circle moved = new Circle(circle.x() + t.x(), circle.y() + t.y(), circle.radius());
-    assertThat(distance(moved, obstacle).isLess()).as("still overlaps: %s", q.hex()).isFalse();
-    assertThat(distance.excess(t.x(), t.y()))
+    assertThat(overlaps(moved, obstacle)).as("still overlaps: %s", q.hex()).isFalse();
+    assertThat(excess(circle, obstacle, t))
         .as("ulps beyond the least: %s", q.hex())
         .isLessThan(8 * Math.ulp(size));
     return true;
   }
 
-  private static Distance distance(Circle c, Obstacle obstacle) {
-    return obstacle instanceof Line line
-        ? Distance.ofLine(c.x(), c.y(), c.radius(), line.ax(), line.ay(), line.bx(), line.by())
-        : of(c, (Circle) obstacle);
+  // The truth.
+
+  private static boolean overlaps(Circle c, Obstacle obstacle) {
+    return obstacle instanceof Bounds b
+        ? depths(c, b).stream().anyMatch(depth -> depth.signum() > 0)
+        : distance(c, obstacle).isLess();
   }
 
-  private static Distance of(Circle c, Circle other) {
+  /** By how much a translation is longer than the least one; of bounds, on one axis. */
+  private static double excess(Circle c, Obstacle obstacle, Vec2 t) {
+    if (!(obstacle instanceof Bounds b)) {
+      return distance(c, obstacle).excess(t.x(), t.y());
+    }
+    List<Dyadic> depths = depths(c, b);
+    Dyadic ofX = Dyadic.of(t.x()).minus(inward(depths.get(0), depths.get(1)));
+    Dyadic ofY = Dyadic.of(t.y()).minus(inward(depths.get(2), depths.get(3)));
+    return Math.max(ofX.abs().near(), ofY.abs().near());
+  }
+
+  /** The least translation on one axis, of the depths at its two walls. */
+  private static Dyadic inward(Dyadic low, Dyadic high) {
+    return low.signum() > 0 ? low : high.signum() > 0 ? high.negate() : Dyadic.ZERO;
+  }
+
+  /** How deep a circle is in each of the walls; negative if it is apart. */
+  private static List<Dyadic> depths(Circle c, Bounds b) {
+    return List.of(
+        depth(c.x(), b.xmin(), c.radius()),
+        depth(b.xmax(), c.x(), c.radius()),
+        depth(c.y(), b.ymin(), c.radius()),
+        depth(b.ymax(), c.y(), c.radius()));
+  }
+
+  private static Dyadic depth(double above, double below, double r) {
+    return Dyadic.of(r).minus(Dyadic.of(above).minus(Dyadic.of(below)));
+  }
+
+  /** How much wider and higher bounds are than a circle, about. */
+  private static double room(Circle c, Bounds b) {
+    return Math.min(b.xmax() - b.xmin(), b.ymax() - b.ymin()) - 2 * c.radius();
+  }
+
+  private static Distance distance(Circle c, Obstacle obstacle) {
+    if (obstacle instanceof Line l) {
+      return Distance.ofLine(c.x(), c.y(), c.radius(), l.ax(), l.ay(), l.bx(), l.by());
+    }
+    Circle other = (Circle) obstacle;
     return Distance.ofPoint(c.x(), c.y(), other.x(), other.y(), c.radius(), other.radius());
   }
 
@@ -104,6 +145,12 @@ class SeparationTest {
       }
       return size + c.radius();
     }
+    if (obstacle instanceof Bounds b) {
+      for (double x : PublicRecords.walls(b)) {
+        size = Math.max(size, Math.abs(x));
+      }
+      return size + c.radius();
+    }
     Circle other = (Circle) obstacle;
     return Math.max(size, Math.max(Math.abs(other.x()), Math.abs(other.y())))
         + (c.radius() + other.radius());
@@ -111,73 +158,84 @@ class SeparationTest {
 
   @Test
   void concentricCirclesPartAlongX() {
-    assertThat(SweptCircle.separation(new Circle(3, 4, 1), new Circle(3, 4, 2)))
-        .isEqualTo(new Vec2(3, 0));
+    assertThat(new Circle(3, 4, 1).separation(new Circle(3, 4, 2))).isEqualTo(new Vec2(3, 0));
   }
 
   @Test
   void circlesPartAlongTheLineOfCentres() {
-    assertThat(SweptCircle.separation(new Circle(0, 1, 2), new Circle(0, 0, 2)))
-        .isEqualTo(new Vec2(0, 3));
-    assertThat(SweptCircle.separation(new Circle(4, 0, 2), new Circle(0, 0, 2)))
-        .isEqualTo(Vec2.ZERO);
+    assertThat(new Circle(0, 1, 2).separation(new Circle(0, 0, 2))).isEqualTo(new Vec2(0, 3));
+    assertThat(new Circle(4, 0, 2).separation(new Circle(0, 0, 2))).isEqualTo(Vec2.ZERO);
   }
 
   @Test
   void aCentreOnALineGoesToItsLeft() {
     Line line = new Line(0, 0, 8, 0);
-    assertThat(SweptCircle.separation(new Circle(3, 0, 2), line)).isEqualTo(new Vec2(0, 2));
-    assertThat(SweptCircle.separation(new Circle(8, 0, 2), line)).isEqualTo(new Vec2(0, 2));
-    assertThat(SweptCircle.separation(new Circle(3, -1, 2), line)).isEqualTo(new Vec2(0, -1));
-    assertThat(SweptCircle.separation(new Circle(9, 0, 2), line)).isEqualTo(new Vec2(1, 0));
-    assertThat(SweptCircle.separation(new Circle(5, 5, 2), new Line(5, 5, 5, 5)))
-        .isEqualTo(new Vec2(2, 0));
+    assertThat(new Circle(3, 0, 2).separation(line)).isEqualTo(new Vec2(0, 2));
+    assertThat(new Circle(8, 0, 2).separation(line)).isEqualTo(new Vec2(0, 2));
+    assertThat(new Circle(3, -1, 2).separation(line)).isEqualTo(new Vec2(0, -1));
+    assertThat(new Circle(9, 0, 2).separation(line)).isEqualTo(new Vec2(1, 0));
+    assertThat(new Circle(5, 5, 2).separation(new Line(5, 5, 5, 5))).isEqualTo(new Vec2(2, 0));
   }
 
   @Test
   void touchingIsNotOverlapping() {
-    assertThat(SweptCircle.overlaps(0, 0, 2, 3, 4, 3)).isFalse();
-    assertThat(SweptCircle.overlaps(0, 0, 2, 3, 4, Math.nextUp(3.0))).isTrue();
-    assertThat(SweptCircle.overlaps(0, 0, 0, 0, 0, 0)).isFalse();
+    Circle circle = new Circle(0, 0, 2);
+    assertThat(circle.overlaps(new Circle(3, 4, 3))).isFalse();
+    assertThat(circle.overlaps(new Circle(3, 4, Math.nextUp(3.0)))).isTrue();
+    assertThat(circle.overlaps(new Line(2, -9, 2, 9))).isFalse();
+    assertThat(circle.overlaps(new Line(Math.nextDown(2.0), -9, 2, 9))).isTrue();
+    assertThat(circle.overlaps(new Bounds(-2, -2, 2, 2))).isFalse();
+    assertThat(circle.overlaps(new Bounds(-2, -2, 2, Math.nextDown(2.0)))).isTrue();
+  }
+
+  @Test
+  void aPointOverlapsWhatHoldsIt() {
+    Circle point = new Circle(1, 0, 0);
+    assertThat(point.overlaps(point)).isFalse();
+    assertThat(point.overlaps(new Circle(0, 0, 2))).isTrue();
+    assertThat(point.overlaps(new Circle(0, 0, 1))).as("on the rim").isFalse();
+    assertThat(point.overlaps(new Line(0, 0, 2, 0))).isFalse();
+    assertThat(point.overlaps(new Bounds(1, -1, 2, 1))).as("on a wall").isFalse();
+    assertThat(point.overlaps(new Bounds(2, -1, 3, 1))).as("beyond a wall").isTrue();
+    assertThat(point.separation(new Bounds(2, -1, 3, 1))).isEqualTo(new Vec2(1, 0));
+  }
+
+  @Test
+  void boundsPushInwardsFromEachWall() {
+    Bounds box = new Bounds(0, 0, 10, 20);
+    assertThat(new Circle(1, 19, 3).separation(box)).isEqualTo(new Vec2(2, -2));
+    assertThat(new Circle(12, -5, 3).separation(box)).isEqualTo(new Vec2(-5, 8));
+    assertThat(new Circle(5, 1, 5).separation(box)).as("as wide as they").isEqualTo(new Vec2(0, 4));
+    for (double x : new double[] {4, 5, 6}) {
+      assertThatThrownBy(() -> new Circle(x, 10, Math.nextUp(5.0)).separation(box))
+          .isInstanceOf(IllegalArgumentException.class)
+          .hasMessageContaining("radius is 5.000000000000001: expected one that fits");
+    }
   }
 
   @Test
   void movesOutOfWhatIsAsLargeAsAllowed() {
     Circle half = new Circle(0, 0, 0x1p1022);
-    assertThat(SweptCircle.separation(half, half)).isEqualTo(new Vec2(0x1p1023, 0));
+    assertThat(half.separation(half)).isEqualTo(new Vec2(0x1p1023, 0));
     Circle more = new Circle(0, 0, Math.nextUp(0x1p1022));
     refusesTheSumOf(more, more);
   }
 
   private static void refusesTheSumOf(Circle circle, Obstacle obstacle) {
-    assertThatThrownBy(
-            () -> {
-              if (obstacle instanceof Line line) {
-                SweptCircle.separation(circle, line);
-              } else {
-                SweptCircle.separation(circle, (Circle) obstacle);
-              }
-            })
+    assertThatThrownBy(() -> circle.separation(obstacle))
         .isInstanceOf(IllegalArgumentException.class)
-        .hasMessageContaining("coordinate and radius together");
+        .hasMessageContaining("coordinate and radius together")
+        .hasMessageContaining("2^1023");
   }
 
   @Test
   void refusesWhatIsOutOfRange() {
-    assertThatThrownBy(() -> SweptCircle.overlaps(0, 0, -1, 3, 4, 3))
-        .isInstanceOf(IllegalArgumentException.class)
-        .hasMessageContaining("-1.0");
-    assertThatThrownBy(() -> SweptCircle.overlaps(0, 0, 1, Double.NaN, 4, 3))
-        .isInstanceOf(IllegalArgumentException.class)
-        .hasMessageContaining("NaN");
     refusesTheSumOf(new Circle(0, 0, Double.MAX_VALUE), new Circle(0, 0, 1));
     refusesTheSumOf(new Circle(0, Double.MAX_VALUE, 1), new Circle(0, Double.MAX_VALUE, 1));
     refusesTheSumOf(new Circle(Double.MAX_VALUE, 0, 1), new Circle(Double.MAX_VALUE, 0, 1));
     refusesTheSumOf(new Circle(0, 0, Double.MAX_VALUE), new Line(0, 1, 2, 3));
     refusesTheSumOf(new Circle(0, 0, 1), new Line(-Double.MAX_VALUE, 0, Double.MAX_VALUE, 0));
     Circle large = new Circle(0, 0, Double.MAX_VALUE);
-    assertThatThrownBy(() -> SweptCircle.separation(large, large))
-        .isInstanceOf(IllegalArgumentException.class)
-        .hasMessageContaining("2^1023");
+    refusesTheSumOf(large, large);
   }
 }

@@ -6,7 +6,6 @@ import static dev.carom.SweptCircleAnswers.hit;
 import static dev.carom.SweptCircleAnswers.time;
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.assertThatIllegalArgumentException;
-import static org.assertj.core.api.Assertions.assertThatThrownBy;
 
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
@@ -136,17 +135,5 @@ class SweptCircleLimitsTest {
             .orElseThrow();
     assertThat(impact.time()).isEqualTo(1000);
     assertThat(impact.point().y()).isEqualTo(Double.MAX_VALUE);
-  }
-
-  @Test
-  void whatIsNoCircleToOverlapIsNamed() {
-    String[] names = {"x1", "y1", "r1", "x2", "y2", "r2"};
-    for (int k = 0; k < names.length; k++) {
-      double[] n = {0, 0, 1, 0, 0, 1};
-      n[k] = Double.NaN;
-      assertThatThrownBy(() -> SweptCircle.overlaps(n[0], n[1], n[2], n[3], n[4], n[5]))
-          .isInstanceOf(IllegalArgumentException.class)
-          .hasMessageStartingWith(names[k] + " is NaN: expected a finite number");
-    }
   }
 }

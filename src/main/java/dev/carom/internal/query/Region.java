@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 package dev.carom.internal.query;
 
-import dev.carom.internal.exact.Dyadic;
 import dev.carom.internal.exact.Predicates;
 import dev.carom.internal.search.BoxTree;
 import dev.carom.internal.state.Codes;
@@ -9,6 +8,7 @@ import dev.carom.internal.state.ObstacleRows;
 import dev.carom.internal.state.ObstacleTable;
 import dev.carom.internal.sweep.ObstacleShape;
 import dev.carom.internal.sweep.PegShape;
+import dev.carom.internal.sweep.WallSweep;
 
 /**
  * A disk or a box, and what overlaps it. Overlaps are decided exactly, by the signs that the
@@ -69,12 +69,9 @@ public abstract class Region {
     @Override
     boolean overlapsWall(int wall, double place) {
       double p = Codes.isVertical(wall) ? x : y;
-      return Codes.isLower(wall) ? isNearer(p, place) : isNearer(place, p);
-    }
-
-    /** Whether {@code p - q < r}, exactly. */
-    private boolean isNearer(double p, double q) {
-      return Dyadic.of(p).minus(Dyadic.of(q)).minus(Dyadic.of(r)).sign() < 0;
+      return Codes.isLower(wall)
+          ? WallSweep.isNearer(p, place, r)
+          : WallSweep.isNearer(place, p, r);
     }
 
     @Override

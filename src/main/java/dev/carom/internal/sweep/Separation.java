@@ -63,6 +63,30 @@ public record Separation(double x, double y) {
     return out(x, y, overlap, n, r - distance, size + r);
   }
 
+  /** Returns the separation of a circle from the walls around it. */
+  public static Separation ofWalls(
+      double x, double y, double r, double xmin, double ymin, double xmax, double ymax) {
+    return new Separation(ofWalls(x, r, xmin, xmax), ofWalls(y, r, ymin, ymax));
+  }
+
+  /** The part along the axis that two of the walls are across. */
+  private static double ofWalls(double p, double r, double low, double high) {
+    if (!WallSweep.overlaps(p, r, low, high)) {
+      return 0;
+    }
+    boolean isLow = WallSweep.isNearer(p, low, r);
+    double least = r - (isLow ? p - low : high - p);
+    Overlap overlap =
+        (at, y) -> isLow ? WallSweep.isNearer(at, low, r) : WallSweep.isNearer(high, at, r);
+    double size = Math.max(size(low, high), Math.abs(p)) + r;
+    UnitVector n = isLow ? ALONG_X : new UnitVector(-1, 0);
+    double out = out(p, 0, overlap, n, least, size).x();
+    if (WallSweep.overlaps(p + out, r, low, high)) {
+      throw Check.refused("radius", r, "one that fits between the walls at " + low + ", " + high);
+    }
+    return out;
+  }
+
   /** The normal of a line on the side of a point; on the line the left one. */
   private static UnitVector sideNormal(
       double x, double y, double ax, double ay, double bx, double by) {

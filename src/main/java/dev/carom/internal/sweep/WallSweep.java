@@ -4,6 +4,7 @@ package dev.carom.internal.sweep;
 import static dev.carom.internal.exact.DoubleDouble.differenceTail;
 import static dev.carom.internal.exact.Fma.fma;
 
+import dev.carom.internal.exact.Dyadic;
 import dev.carom.internal.exact.ExactTime;
 import dev.carom.internal.exact.Polynomial;
 
@@ -29,6 +30,16 @@ public final class WallSweep {
   private static final double MOST_SAFE = 0x1p500;
 
   private WallSweep() {}
+
+  /** Whether a disk has a part beyond one of the two walls across an axis. */
+  public static boolean overlaps(double p, double r, double low, double high) {
+    return isNearer(p, low, r) || isNearer(high, p, r);
+  }
+
+  /** Whether {@code p - q < r}, exactly: whether a disk at p overlaps a wall below it at q. */
+  public static boolean isNearer(double p, double q, double r) {
+    return Dyadic.of(p).minus(Dyadic.of(q)).minus(Dyadic.of(r)).sign() < 0;
+  }
 
   /**
    * The correctly rounded time of impact, {@code +infinity} for a disk at rest.

@@ -105,7 +105,7 @@ class PrecisionCounterTest {
       Circle first = new Circle(n[0], n[1], n[2]);
       Circle second = new Circle(n[5], n[6], n[7]);
       SweptCircle.cast(first, new Vec2(n[3], n[4]), second, new Vec2(n[8], n[9]), n[10]);
-      SweptCircle.overlaps(n[0], n[1], n[2], n[5], n[6], n[7]);
+      first.overlaps(second);
     } else if (query instanceof WallQuery) {
       SweptCircle.bounds(n[0], n[1], n[2], n[3], n[4], n[5], n[6], n[7], n[8], n[9]);
     }

@@ -11,7 +11,6 @@ import dev.carom.Line;
 import dev.carom.Response;
 import dev.carom.Scene;
 import dev.carom.SceneBuilder;
-import dev.carom.SweptCircle;
 import dev.carom.internal.exact.Predicates;
 import dev.carom.internal.search.ObstacleIndex;
 import dev.carom.internal.state.Codes;
@@ -241,9 +240,7 @@ class WarningsTest {
             scene.response(Kind.CIRCLE, i) == Response.SENSOR
                 || scene.response(Kind.CIRCLE, j) == Response.SENSOR;
         Circle o = scene.circle(j);
-        if (!sensor
-            && SweptCircle.overlaps(
-                circle.x(), circle.y(), circle.radius(), o.x(), o.y(), o.radius())) {
+        if (!sensor && circle.overlaps(o)) {
           warnings.add(Warnings.text(Internals.data(scene), i, Codes.circle(j)));
         }
       }

@@ -84,7 +84,7 @@ class ContactTest {
         same(path.impacts().get(0), impact.get(), scale);
         Vec2 after = path.impacts().size() > 1 ? null : path.velocityAt(20);
         if (after != null) {
-          near(after, Resolver.reflect(v, impact.get().normal(), 1), scale);
+          near(after, v.reflect(impact.get().normal(), 1), scale);
         }
       }
     }
