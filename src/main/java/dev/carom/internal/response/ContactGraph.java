@@ -183,9 +183,8 @@ final class ContactGraph {
     for (int k = 0; k < awake; k++) {
       int i = order[k];
       double r = members.radius[i];
-      double fast = ContactLaw.MARGIN_TICKS * path(q, i, time);
-      double slow = ContactLaw.MARGIN_STANDOFFS * ContactLaw.STANDOFF * r;
-      margin[i] = Math.max(ContactLaw.MARGIN * r, fast + slow) + 2 * fastest * time + slack;
+      double way = path(q, i, time) + fastest * time;
+      margin[i] = ContactLaw.MARGIN * r + 2 * way + slack;
       listX[i] = members.x[i];
       listY[i] = members.y[i];
     }

@@ -178,12 +178,7 @@ final class ContactLaw {
   // The list of pairs: with a wider one it is longer, with a narrower one it is made more often.
 
   /** In radii: the margin within which pairs are listed. */
-  static final double MARGIN = 1 / 7.0;
-
-  /** In ticks of its flight, and in standoffs: the margin of a circle that is fast. */
-  static final double MARGIN_TICKS = 2.2;
-
-  static final double MARGIN_STANDOFFS = 20;
+  static final double MARGIN = 1 / 12.0;
 
   /** In margins: what is listed is nearer, wherever a circle moved since. */
   static final double FAR = 3;
