@@ -163,12 +163,6 @@ final class ContactLaw {
   /** Of the overlap with the standoff that flights take back in one tick. */
   static final double BACK = 0.3;
 
-  /** Sweeps for flights where something moves: four times as many after each cut. */
-  static final int SQUEEZE_SWEEPS = 64;
-
-  /** Sweeps between two looks at the result. */
-  static final int SQUEEZE_ROUND = 8;
-
   /** Squeezed circles fly aside between contacts whose normals have a cosine below this. */
   static final double OPPOSITE = -0.9;
 

@@ -224,15 +224,10 @@ final class Squeeze {
     }
     fill(h);
     sweeps.load(graph.order, graph.awake, u);
-    boolean done = false;
-    for (int s = 0;
-        s < (ContactLaw.SQUEEZE_SWEEPS << (2 * cuts)) && !done;
-        s += ContactLaw.SQUEEZE_ROUND) {
-      sweeps.solve(0, ContactLaw.SQUEEZE_ROUND);
-      done = isSafe(h);
-    }
+    double kick = Math.sqrt(gx * gx + gy * gy) * h;
+    sweeps.solve(ContactLaw.RESIDUAL * kick, ContactLaw.SWEEPS << (2 * cuts));
     sweeps.store(graph.order, u);
-    return done;
+    return isSafe(h);
   }
 
   private void fill(double h) {
