@@ -151,15 +151,6 @@ final class ContactLaw {
   /** Rounds in which flights push each other apart before they are shortened. */
   static final int PUSHES = 4;
 
-  /** Rounds after these in which shortened flights keep a part. */
-  static final int GENTLE_ROUNDS = 8;
-
-  /** Of the way to what it meets a shortened flight keeps this part. */
-  static final double SHORTER = 0.9;
-
-  /** Rounds of shortening after which there are no safe flights. */
-  static final int ROUNDS = 500;
-
   /** Of the overlap with the standoff that flights take back in one tick. */
   static final double BACK = 0.3;
 

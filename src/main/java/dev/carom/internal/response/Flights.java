@@ -176,20 +176,22 @@ final class Flights {
   }
 
   /**
-   * Makes all near pairs safe: by some rounds of pushes, then by shorter flights, at last by none.
+   * Makes all near pairs safe: by some rounds of pushes, then without the flights that meet. Each
+   * round after the pushes stops a flight at least.
    *
    * @return false if that does not end, as where something moves
    */
   boolean secure(double h, int pushes) {
-    for (int round = 0; round <= ContactLaw.ROUNDS; round++) {
-      if (!secureOnce(h, round < pushes, round < pushes + ContactLaw.GENTLE_ROUNDS)) {
+    int most = pushes + graph.awake;
+    for (int round = 0; round <= most; round++) {
+      if (!secureOnce(h, round < pushes)) {
         return true;
       }
     }
     return false;
   }
 
-  private boolean secureOnce(double h, boolean pushes, boolean gently) {
+  private boolean secureOnce(double h, boolean pushes) {
     NearPairs p = graph.pairs;
     boolean any = false;
     for (int k = 0; k < p.size; k++) {
@@ -203,20 +205,19 @@ final class Flights {
         if (pushes) {
           push(k, -(gap - Math.min(gap, p.standoff[k]) / 2) / h - opening);
         } else {
-          double rest = gently && gap > 0 ? ContactLaw.SHORTER * gap / (-opening * h) : 0;
-          shorten(p.owner[k], rest);
-          shorten(p.other[k], rest);
+          stop(p.owner[k]);
+          stop(p.other[k]);
         }
       }
     }
     return any;
   }
 
-  /** A flight that is shortened, relative to what drives it, takes the momentum along. */
-  private void shorten(int i, double factor) {
+  /** A flight that is given up goes along with what drives it, and takes the momentum along. */
+  private void stop(int i) {
     if (momenta.weight[i] > 0) {
-      u[2 * i] = drive[2 * i] + factor * (u[2 * i] - drive[2 * i]);
-      u[2 * i + 1] = drive[2 * i + 1] + factor * (u[2 * i + 1] - drive[2 * i + 1]);
+      u[2 * i] = drive[2 * i];
+      u[2 * i + 1] = drive[2 * i + 1];
       slowDown(2 * i, u[2 * i], u[2 * i + 1]);
     }
   }
