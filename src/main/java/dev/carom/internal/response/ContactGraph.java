@@ -139,8 +139,8 @@ final class ContactGraph {
     for (int g = 0; g < awake; g++) {
       int i = order[g];
       near.clear();
-      parts.near(
-          members, i, host, ContactLaw.FAR * margin[i], now, near); // this makes the vertices
+      // What was listed within a margin is within three: a circle and a part went one each at most.
+      parts.near(members, i, host, 3 * margin[i], now, near); // this makes the vertices
       for (int k = pairs.start[g]; k < pairs.start[g + 1]; k++) {
         boolean isPart = pairs.other[k] == members.count;
         int part = isPart ? parts.ofKey(pairs.key[k], now) : Index.NONE;

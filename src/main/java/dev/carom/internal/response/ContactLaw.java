@@ -160,13 +160,14 @@ final class ContactLaw {
   /** So many times the speed of what moves is their speed aside. */
   static final double ASIDE = 6;
 
-  // The list of pairs: with a wider one it is longer, with a narrower one it is made more often.
+  // The list of pairs.
 
-  /** In radii: the margin within which pairs are listed. */
-  static final double MARGIN = 1 / 12.0;
-
-  /** In margins: what is listed is nearer, wherever a circle moved since. */
-  static final double FAR = 3;
+  /**
+   * In radii: the margin within which pairs are listed, beside the ways of a tick. The widest
+   * standoff is within it. With a wider one the list is longer, with a narrower one it is made more
+   * often.
+   */
+  static final double MARGIN = 2 * WIDE;
 
   private ContactLaw() {}
 }
