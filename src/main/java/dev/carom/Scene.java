@@ -5,8 +5,6 @@ import dev.carom.internal.io.RowException;
 import dev.carom.internal.io.SceneFile;
 import dev.carom.internal.query.Warnings;
 import dev.carom.internal.state.Codes;
-import dev.carom.internal.state.ContactFlags;
-import dev.carom.internal.state.FilterBits;
 import dev.carom.internal.state.Gravity;
 import dev.carom.internal.state.ObstacleTable;
 import dev.carom.internal.state.SceneData;
@@ -64,7 +62,7 @@ import java.util.Optional;
  *   <li>Such a row may end in {@code response=bounce}, {@code response=halt} or {@code
  *       response=sensor}, see {@link Response}. The bounds cannot be a sensor.
  *   <li>Such a row may end in {@code category=INTEGER} and {@code mask=INTEGER}, see {@link
- *       SceneBuilder#filter}. Without them, they are 1 and -1.
+ *       Filter}. Without them, they are 1 and -1.
  *   <li>The row of a line may end in {@code oneway=1}, see {@link SceneBuilder#oneWay()}.
  *   <li>The row of a line or a peg may end in {@code vx=NUMBER} and {@code vy=NUMBER}, see {@link
  *       SceneBuilder#velocity}. Without them, they are 0: the obstacle rests.
@@ -216,21 +214,10 @@ public final class Scene {
    * @throws IndexOutOfBoundsException if there is no such thing
    */
   public Vec2 velocity(Kind kind, int i) {
-    int code = Codes.of(kind.ordinal(), at(kind, i));
+    int code = code(kind, i);
     return kind == Kind.CIRCLE
         ? velocity(i)
         : new Vec2(data.obstacles.ux(code), data.obstacles.uy(code));
-  }
-
-  /**
-   * Returns the mass of a circle: see {@link SceneBuilder#mass}.
-   *
-   * @param i its number, 0..{@link #circleCount()} - 1
-   * @return greater than 0, infinite for a circle that no other circle deflects
-   * @throws IndexOutOfBoundsException if there is no such circle
-   */
-  public double mass(int i) {
-    return data.registry.mass(at(Kind.CIRCLE, i));
   }
 
   /**
@@ -256,43 +243,19 @@ public final class Scene {
   }
 
   /**
-   * Returns the restitution of a circle or an obstacle. The restitution of an impact is the product
-   * of those of the two parties.
+   * Returns the traits of a circle or an obstacle: its restitution, mass, response and filter, and
+   * whether it is a one-way line.
    *
-   * @param kind its kind; the four walls share one restitution
+   * @param kind its kind; the four walls share their traits
    * @param i its number: of a wall 0..3, else from 0 to the number of such things less 1
-   * @return at least 0; 1, elastic, unless another was set
+   * @return the traits; {@link Traits#DEFAULT} unless others were set
    * @throws IndexOutOfBoundsException if there is no such thing
    */
-  public double restitution(Kind kind, int i) {
-    at(kind, i);
+  public Traits traits(Kind kind, int i) {
+    int code = code(kind, i);
     return kind == Kind.CIRCLE
-        ? data.restitution(i)
-        : data.obstacles.givenRestitution(Codes.of(kind.ordinal(), i));
-  }
-
-  /**
-   * Returns the response of a circle or an obstacle: what happens at an impact with it.
-   *
-   * @param kind its kind; the four walls share one response
-   * @param i its number: of a wall 0..3, else from 0 to the number of such things less 1
-   * @return the response, {@link Response#BOUNCE} unless another was set; of a circle, to other
-   *     circles
-   * @throws IndexOutOfBoundsException if there is no such thing
-   */
-  public Response response(Kind kind, int i) {
-    return Response.of(ContactFlags.response(traits(kind, at(kind, i))));
-  }
-
-  /**
-   * Tells whether a line is a one-way line; see {@link SceneBuilder#oneWay()}.
-   *
-   * @param i its number, 0..{@link #lineCount()} - 1
-   * @return true if only circles that come from its left hit it
-   * @throws IndexOutOfBoundsException if there is no such line
-   */
-  public boolean oneWay(int i) {
-    return ContactFlags.isOneWay(traits(Kind.LINE, at(Kind.LINE, i)));
+        ? Traits.of(data.registry, i, data.restitution(i))
+        : Traits.of(data.obstacles, code);
   }
 
   /**
@@ -324,46 +287,13 @@ public final class Scene {
   }
 
   /**
-   * Returns the category of a circle or an obstacle, a set of 32 bits: see {@link
-   * SceneBuilder#filter}.
-   *
-   * @param kind its kind; the four walls share one category
-   * @param i its number: of a wall 0..3, else from 0 to the number of such things less 1
-   * @return the category, 1 unless another was set
-   * @throws IndexOutOfBoundsException if there is no such thing
-   */
-  public int category(Kind kind, int i) {
-    return FilterBits.category(filter(kind, i));
-  }
-
-  /**
-   * Returns the mask of a circle or an obstacle, the set of categories that it can meet: see {@link
-   * SceneBuilder#filter}.
-   *
-   * @param kind its kind; the four walls share one mask
-   * @param i its number: of a wall 0..3, else from 0 to the number of such things less 1
-   * @return the mask, -1 unless another was set
-   * @throws IndexOutOfBoundsException if there is no such thing
-   */
-  public int mask(Kind kind, int i) {
-    return FilterBits.mask(filter(kind, i));
-  }
-
-  private long filter(Kind kind, int i) {
-    at(kind, i);
-    return kind == Kind.CIRCLE
-        ? data.registry.filter(i)
-        : data.obstacles.filter(Codes.of(kind.ordinal(), i));
-  }
-
-  /**
    * Makes a resolver among the lines, pegs and bounds of this scene, with their restitutions and
    * responses.
    *
    * <p>It passes through sensors, and meets one-way lines from their left only. Its circle has
-   * category 1 and mask -1, and passes through all that it cannot {@linkplain SceneBuilder#filter
-   * meet}. It does not know the circles of the scene. With {@linkplain SceneBuilder#gravity
-   * gravity}, the circle of {@link Resolver#trace trace} falls; that of a cast flies straight.
+   * category 1 and mask -1, and passes through all that it cannot {@linkplain Filter meet}. It does
+   * not know the circles of the scene. With {@linkplain SceneBuilder#gravity gravity}, the circle
+   * of {@link Resolver#trace trace} falls; that of a cast flies straight.
    *
    * <p>Lines and pegs with a velocity are where the scene has them at the start of each cast and of
    * each path, and move from then on. {@link Resolver#nearest nearest} and {@link
@@ -388,7 +318,7 @@ public final class Scene {
    *
    * <p>Things that the circle passes through are left out: sensors; a one-way line, unless the
    * centre is strictly left of it; two circles, both of infinite mass; and all that the {@linkplain
-   * SceneBuilder#filter filters} keep apart.
+   * Filter filters} keep apart.
    *
    * <p>Each text names the circle, the other thing, the rounded distance of the centre from it, and
    * the least distance that was expected. The texts follow the order of the circles. Those of one
@@ -429,11 +359,10 @@ public final class Scene {
             data.hasGravity() ? ", gravity=" + gravity() : "");
   }
 
-  /** Returns the {@link ContactFlags} of a thing that exists. */
-  private int traits(Kind kind, int i) {
-    return kind == Kind.CIRCLE
-        ? data.registry.traits(i)
-        : data.obstacles.traits(Codes.of(kind.ordinal(), i));
+  /** Returns the code of a thing that exists; any other one is refused. */
+  private int code(Kind kind, int i) {
+    int number = at(kind, i);
+    return Codes.of(kind.ordinal(), number);
   }
 
   private int count(Kind kind) {

@@ -17,7 +17,7 @@ import dev.carom.internal.util.KindNumber;
  *     .circle(100, 100, 10, 4, 3).mass(2).restitution(0.9)
  *     .collide(true)
  *     .build();
- * System.out.println(scene.oneWay(0) + ", " + scene.mass(0)); // true, 2.0
+ * System.out.println(scene.traits(Kind.CIRCLE, 0).mass()); // 2.0
  * }</pre>
  *
  * <p>A call with a wrong value throws at once and leaves the builder as it was. The message names
@@ -124,32 +124,29 @@ public final class SceneBuilder {
   }
 
   /**
-   * Sets what the thing added last can meet: its category and its mask, each a set of 32 bits.
-   * Without them, its category is 1 and its mask is -1, all bits.
+   * Sets what the thing added last can meet. Without it, it is {@link Filter#DEFAULT}.
    *
-   * <p>Two things meet if the mask of each has a bit of the other's category: {@code (a.category &
-   * b.mask) != 0 && (b.category & a.mask) != 0}. Other pairs do not exist for each other. They make
-   * no impact, a sensor does not report them, and {@link Scene#warnings} is silent about them.
-   *
-   * <pre>{@code
-   * final int BALL = 2;
-   * final int GHOST = 4;
-   * Scene scene = Scene.builder()
-   *     .bounds(0, 0, 100, 100)
-   *     .line(50, 0, 50, 100).filter(1, ~GHOST)
-   *     .circle(20, 30, 5, 1, 0).filter(BALL, -1) // bounces off the line
-   *     .circle(20, 70, 5, 1, 0).filter(GHOST, -1) // flies through it
-   *     .build();
-   * System.out.println(scene.category(Kind.CIRCLE, 1)); // 4
-   * }</pre>
-   *
-   * @param category the categories that the thing belongs to; 0 for a thing that meets nothing
-   * @param mask the categories that it can meet; 0 for a thing that meets nothing
+   * @param filter its category and its mask
    * @return this builder
    * @throws IllegalStateException if nothing was added yet
    */
-  public SceneBuilder filter(int category, int mask) {
-    data.filter(category, mask);
+  public SceneBuilder filter(Filter filter) {
+    Check.notNull("filter", filter);
+    data.filter(filter.category(), filter.mask());
+    return this;
+  }
+
+  /**
+   * Sets all traits of the thing added last. Without it, they are {@link Traits#DEFAULT}.
+   *
+   * @param traits its restitution, mass, response and filter, and whether it is a one-way line
+   * @return this builder
+   * @throws IllegalArgumentException if a thing of its kind cannot have them: a mass other than 1
+   *     is of circles only, one-way of lines only, and the bounds cannot be a sensor
+   * @throws IllegalStateException if nothing was added yet
+   */
+  public SceneBuilder traits(Traits traits) {
+    data.traits(Check.notNull("traits", traits).values());
     return this;
   }
 

@@ -82,8 +82,8 @@ public final class Snapshot {
    *       more, and 32 for each thing near it.
    *   <li>If a sensor reported another circle in the present flight of any, all take 24 more.
    *   <li>If any circle is jammed, all take 4 more, and 4 for each thing that they are jammed by.
-   *   <li>If any circle, line or peg has a {@linkplain SceneBuilder#filter filter} of its own, all
-   *       of its kind take 8 more.
+   *   <li>If any circle, line or peg has a {@linkplain Filter filter} of its own, all of its kind
+   *       take 8 more.
    * </ul>
    *
    * @param out where to write, buffered for speed; it is neither flushed nor closed

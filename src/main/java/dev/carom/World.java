@@ -328,17 +328,6 @@ public final class World {
   }
 
   /**
-   * Returns the mass of a circle.
-   *
-   * @param id the id of the circle
-   * @return 2^-500 to 2^500, or infinity
-   * @throws IndexOutOfBoundsException if there is no such circle
-   */
-  public double mass(int id) {
-    return registry.mass(ids.circle(id));
-  }
-
-  /**
    * Returns a line as it is now.
    *
    * @param id the id of the line
@@ -400,65 +389,19 @@ public final class World {
   }
 
   /**
-   * Returns the restitution of a circle or an obstacle now. The restitution of an impact is the
-   * product of those of the two parties.
+   * Returns the traits of a circle or an obstacle now: its restitution, mass, response and filter,
+   * and whether it is a one-way line.
    *
-   * @param kind its kind; the four walls share one restitution
+   * <p>Each call makes a record. In compiled code one that is used up at once, as in {@code
+   * world.traits(kind, id).mass()}, is as a rule not allocated.
+   *
+   * @param kind its kind; the four walls share their traits
    * @param id its id
-   * @return at least 0; 1 is elastic
+   * @return the traits; {@link Traits#DEFAULT} unless others were set
    * @throws IndexOutOfBoundsException if there is no such thing
    */
-  public double restitution(Kind kind, int id) {
-    return questions.restitution(code(kind, id));
-  }
-
-  /**
-   * Returns the response of a circle or an obstacle now: what happens at an impact with it.
-   *
-   * @param kind its kind; the four walls share one response
-   * @param id its id
-   * @return the response; of a circle, to other circles
-   * @throws IndexOutOfBoundsException if there is no such thing
-   */
-  public Response response(Kind kind, int id) {
-    return questions.response(code(kind, id));
-  }
-
-  /**
-   * Returns the category of a circle or an obstacle now, a set of 32 bits: see {@link
-   * SceneBuilder#filter}.
-   *
-   * @param kind its kind; the four walls share one category
-   * @param id its id
-   * @return the category; 1 unless another was set
-   * @throws IndexOutOfBoundsException if there is no such thing
-   */
-  public int category(Kind kind, int id) {
-    return FilterBits.category(questions.filter(code(kind, id)));
-  }
-
-  /**
-   * Returns the mask of a circle or an obstacle now, the set of categories that it can meet: see
-   * {@link SceneBuilder#filter}.
-   *
-   * @param kind its kind; the four walls share one mask
-   * @param id its id
-   * @return the mask; -1 unless another was set
-   * @throws IndexOutOfBoundsException if there is no such thing
-   */
-  public int mask(Kind kind, int id) {
-    return FilterBits.mask(questions.filter(code(kind, id)));
-  }
-
-  /**
-   * Tells whether a line is a one-way line now; see {@link SceneBuilder#oneWay}.
-   *
-   * @param id the id of the line
-   * @return true if only circles that come from its left hit it
-   * @throws IndexOutOfBoundsException if there is no such line
-   */
-  public boolean oneWay(int id) {
-    return questions.isOneWay(code(Kind.LINE, id));
+  public Traits traits(Kind kind, int id) {
+    return questions.traits(code(kind, id));
   }
 
   /**
@@ -554,8 +497,7 @@ public final class World {
 
   /**
    * Finds the first impact of a moving circle of a given category and mask, and ignores all that it
-   * cannot {@linkplain SceneBuilder#filter meet}. Otherwise as {@link #cast(Circle, Vec2, double)
-   * cast}.
+   * cannot {@linkplain Filter meet}. Otherwise as {@link #cast(Circle, Vec2, double) cast}.
    *
    * @param circle the circle now
    * @param velocity its velocity
@@ -590,8 +532,8 @@ public final class World {
 
   /**
    * Finds the first impact of each of many moving circles, all of a given category and mask, and
-   * ignores all that they cannot {@linkplain SceneBuilder#filter meet}. Otherwise as {@link
-   * #cast(Casts, double) cast}.
+   * ignores all that they cannot {@linkplain Filter meet}. Otherwise as {@link #cast(Casts, double)
+   * cast}.
    *
    * @param casts the circles now; they receive the answers
    * @param maxTime how far to look ahead, from now on: at least 0, {@code +infinity} included
@@ -636,8 +578,7 @@ public final class World {
 
   /**
    * Follows a circle of a given category and mask along its path, and ignores all that it cannot
-   * {@linkplain SceneBuilder#filter meet}. Otherwise as {@link #trace(Circle, Vec2, double, double,
-   * int) trace}.
+   * {@linkplain Filter meet}. Otherwise as {@link #trace(Circle, Vec2, double, double, int) trace}.
    *
    * @param circle the circle at the start; its radius may be 0
    * @param velocity its velocity at the start
@@ -673,9 +614,9 @@ public final class World {
    * Finds the thing of a kind that is nearest to a point. Among equally near ones the smallest id
    * wins.
    *
-   * <p>Only things count that a circle of category 1 and mask -1 can {@linkplain
-   * SceneBuilder#filter meet}, as in {@link #cast(Circle, Vec2, double) cast}. With category -1 and
-   * mask -1 {@link #nearest(Kind, double, double, int, int) all} that can be met count.
+   * <p>Only things count that a circle of category 1 and mask -1 can {@linkplain Filter meet}, as
+   * in {@link #cast(Circle, Vec2, double) cast}. With category -1 and mask -1 {@link #nearest(Kind,
+   * double, double, int, int) all} that can be met count.
    *
    * <p>Distances are computed in plain doubles: to a wall, to a line, or to the rim of a peg or
    * circle. Inside of a peg or circle the distance is 0. The search uses an <a
@@ -693,8 +634,8 @@ public final class World {
 
   /**
    * Finds the thing of a kind that is nearest to a point. Only things count that a circle of the
-   * given category and mask can {@linkplain SceneBuilder#filter meet}. Otherwise as {@link
-   * #nearest(Kind, double, double) nearest}.
+   * given category and mask can {@linkplain Filter meet}. Otherwise as {@link #nearest(Kind,
+   * double, double) nearest}.
    *
    * @param kind which kind of thing
    * @param x the x coordinate of the point, finite
@@ -729,8 +670,8 @@ public final class World {
 
   /**
    * Finds the things of a kind that overlap a disk. Only things count that a circle of the given
-   * category and mask can {@linkplain SceneBuilder#filter meet}. Otherwise as {@link
-   * #overlapping(Kind, Circle) overlapping}.
+   * category and mask can {@linkplain Filter meet}. Otherwise as {@link #overlapping(Kind, Circle)
+   * overlapping}.
    *
    * @param kind which kind of thing
    * @param disk the disk
@@ -760,8 +701,8 @@ public final class World {
 
   /**
    * Finds the things of a kind that overlap a box. Only things count that a circle of the given
-   * category and mask can {@linkplain SceneBuilder#filter meet}. Otherwise as {@link
-   * #overlapping(Kind, Bounds) overlapping}.
+   * category and mask can {@linkplain Filter meet}. Otherwise as {@link #overlapping(Kind, Bounds)
+   * overlapping}.
    *
    * @param kind which kind of thing
    * @param box the box
@@ -842,24 +783,6 @@ public final class World {
   }
 
   /**
-   * Sets the mass of a circle, from now on. Where circles ignore each other, it matters only under
-   * gravity: a circle of infinite mass does not fall.
-   *
-   * <p>If the mass becomes infinite, or finite again, the circle begins a new flight: it can again
-   * hit the circle or obstacle that it hit last or passed through. A circle that rests in a heap or
-   * on something round begins one, too, where circles collide, and so do those that rest in contact
-   * with it.
-   *
-   * @param id the id of the circle
-   * @param m a number from 2^-500 to 2^500, or infinity
-   * @throws IndexOutOfBoundsException if there is no such circle
-   * @throws IllegalArgumentException if m is NaN or out of these limits
-   */
-  public void setMass(int id, double m) {
-    edit().setMass(ids.circle(id), m, now);
-  }
-
-  /**
    * Sets the velocity of a line, a peg or a circle, from now on.
    *
    * <p>A line or a peg then moves with this velocity until it is set again. Nothing deflects it: it
@@ -892,70 +815,42 @@ public final class World {
   }
 
   /**
-   * Sets the restitution of a circle or an obstacle, from now on. The restitution of an impact is
-   * the product of those of the two parties.
+   * Sets the traits of a circle or an obstacle, from now on. Only what differs has an effect.
    *
-   * @param kind its kind; for {@link Kind#WALL} it is set for all four walls
+   * <pre>{@code
+   * world.setTraits(Kind.CIRCLE, 0, world.traits(Kind.CIRCLE, 0).withMass(3));
+   * }</pre>
+   *
+   * <ul>
+   *   <li>Another restitution changes the next impact, and begins no flight.
+   *   <li>Another mass begins no flight either, unless it becomes infinite or finite. Then the
+   *       circle can again hit the circle or obstacle that it hit last or passed through. A circle
+   *       that rests in a heap or on something round begins one, where circles collide, and so do
+   *       those that rest in contact with it. Where circles ignore each other, the mass matters
+   *       only under gravity: a circle of infinite mass does not fall.
+   *   <li>With another response or filter a circle begins a new flight. If a line or a peg gets
+   *       another response or filter, or becomes one-way, every circle whose flight meets it does
+   *       so. If the walls get another filter, all circles that can meet them now or could before,
+   *       but not both, do so.
+   *   <li>Two things that overlap and now meet bounce if they approach each other, and are
+   *       otherwise left alone. A sensor that a circle touches or overlaps when its flight begins
+   *       is not reported: see {@link Response#SENSOR}.
+   * </ul>
+   *
+   * @param kind its kind; for {@link Kind#WALL} they are set for all four walls
    * @param id its id
-   * @param e finite and at least 0: 1 is elastic, 0 keeps no motion along the normal, above 1 is a
-   *     bumper
+   * @param traits its traits from now on
    * @throws IndexOutOfBoundsException if there is no such thing
-   * @throws IllegalArgumentException if e is NaN, infinite or negative
+   * @throws IllegalArgumentException if a thing of its kind cannot have them: a mass other than 1
+   *     is of circles only, one-way of lines only, and the walls cannot be a sensor
    */
-  public void setRestitution(Kind kind, int id, double e) {
-    edit().setRestitution(code(kind, id), e, now);
-  }
-
-  /**
-   * Sets the response of a circle or an obstacle, from now on: what happens at an impact with it.
-   *
-   * <p>The circle begins a new flight. If a line or a peg is changed, every circle whose flight
-   * meets it does so. A sensor that a circle touches or overlaps when its flight begins is not
-   * reported: see {@link Response#SENSOR}.
-   *
-   * @param kind its kind; for {@link Kind#WALL} it is set for all four walls
-   * @param id its id
-   * @param response the response; of a circle, to other circles
-   * @throws IndexOutOfBoundsException if there is no such thing
-   * @throws IllegalArgumentException if the walls would become a {@link Response#SENSOR}
-   */
-  public void setResponse(Kind kind, int id, Response response) {
+  public void setTraits(Kind kind, int id, Traits traits) {
     int code = code(kind, id);
-    Check.notNull("response", response);
-    edit().setResponse(code, response.ordinal(), now);
+    edit().setTraits(code, Check.notNull("traits", traits).values(), now);
   }
 
   /**
-   * Sets what a circle or an obstacle can meet, from now on: see {@link SceneBuilder#filter}.
-   *
-   * <p>A circle begins a new flight, unless nothing changes. If an obstacle is changed, the circles
-   * whose flight now meets it begin new flights; if the walls are changed, all that can meet them
-   * now or could before, but not both. Two things that overlap and now meet bounce if they approach
-   * each other, and are otherwise left alone.
-   *
-   * @param kind its kind; for {@link Kind#WALL} it is set for all four walls
-   * @param id its id; that of any wall, 0..3, stands for all four
-   * @param category the categories that it belongs to; 0 if it is to meet nothing
-   * @param mask the categories that it can meet; 0 if it is to meet nothing
-   * @throws IndexOutOfBoundsException if there is no such thing
-   */
-  public void setFilter(Kind kind, int id, int category, int mask) {
-    edit().setFilter(code(kind, id), FilterBits.of(category, mask), now);
-  }
-
-  /**
-   * Makes a line a one-way line, from now on, or an ordinary one; see {@link SceneBuilder#oneWay}.
-   *
-   * @param id the id of the line
-   * @param oneWay true for a one-way line
-   * @throws IndexOutOfBoundsException if there is no such line
-   */
-  public void setOneWay(int id, boolean oneWay) {
-    edit().setOneWay(code(Kind.LINE, id), oneWay, now);
-  }
-
-  /**
-   * Adds a circle now. It is elastic and has mass 1.
+   * Adds a circle now.
    *
    * @param x the x coordinate of the centre, finite
    * @param y the y coordinate of the centre, finite
@@ -963,32 +858,35 @@ public final class World {
    *     gave to this world. 0, a point particle, is allowed if this world has no lines
    * @param vx the x component of the velocity, finite
    * @param vy the y component of the velocity, finite
+   * @param traits its traits, which cannot be one-way
    * @return its id
    * @throws IllegalArgumentException if a number is NaN or infinite, the radius refused, as by
    *     {@link #setRadius setRadius}, or a coordinate too large, as by {@link #setPosition
-   *     setPosition}
+   *     setPosition}; or if the traits are one-way
    * @throws IllegalStateException if this world gave all ids of circles: 1,610,612,736
    */
-  public int addCircle(double x, double y, double radius, double vx, double vy) {
-    return edit().addCircle(x, y, radius, vx, vy, now);
+  public int addCircle(double x, double y, double radius, double vx, double vy, Traits traits) {
+    Check.notNull("traits", traits);
+    return edit().addCircle(x, y, radius, vx, vy, traits.values(), now);
   }
 
   /**
-   * Adds a line now. It is elastic, and solid from both sides. Circles whose flight meets it begin
-   * a new flight.
+   * Adds a line now. Circles whose flight meets it begin a new flight.
    *
    * @param ax the x coordinate of the start, finite
    * @param ay the y coordinate of the start, finite
    * @param bx the x coordinate of the end, finite
    * @param by the y coordinate of the end, finite
+   * @param traits its traits, of mass 1
    * @return its id
    * @throws IllegalArgumentException if a coordinate is NaN or infinite, or so large that 2^10 ulps
-   *     of it exceed the smallest radius above 0 that a circle of this world ever had; or if there
-   *     is a circle of radius 0
+   *     of it exceed the smallest radius above 0 that a circle of this world ever had; if the mass
+   *     is not 1; or if there is a circle of radius 0
    * @throws IllegalStateException if this world gave all ids of lines: 268,435,452
    */
-  public int addLine(double ax, double ay, double bx, double by) {
-    return edit().add(KindNumber.LINE, ax, ay, bx, by, now);
+  public int addLine(double ax, double ay, double bx, double by, Traits traits) {
+    Check.notNull("traits", traits);
+    return edit().add(KindNumber.LINE, ax, ay, bx, by, traits.values(), now);
   }
 
   /**
@@ -1012,19 +910,21 @@ public final class World {
   }
 
   /**
-   * Adds a peg now. It is elastic. Circles whose flight meets it begin a new flight.
+   * Adds a peg now. Circles whose flight meets it begin a new flight.
    *
    * @param x the x coordinate of the centre, finite
    * @param y the y coordinate of the centre, finite
    * @param radius finite and at least 0
+   * @param traits its traits, of mass 1 and not one-way
    * @return its id
    * @throws IllegalArgumentException if a coordinate or the radius is NaN or infinite, the radius
    *     negative, or a coordinate so large that 2^10 ulps of it exceed the smallest radius above 0
-   *     that a circle of this world ever had
+   *     that a circle of this world ever had; or if the mass is not 1, or the traits one-way
    * @throws IllegalStateException if this world gave all ids of pegs: 268,435,456
    */
-  public int addPeg(double x, double y, double radius) {
-    return edit().add(KindNumber.PEG, x, y, radius, 0, now);
+  public int addPeg(double x, double y, double radius, Traits traits) {
+    Check.notNull("traits", traits);
+    return edit().add(KindNumber.PEG, x, y, radius, 0, traits.values(), now);
   }
 
   /**

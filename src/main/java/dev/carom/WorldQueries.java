@@ -11,7 +11,6 @@ import dev.carom.internal.search.ObstacleIndex;
 import dev.carom.internal.state.CircleRegistry;
 import dev.carom.internal.state.CircleTable;
 import dev.carom.internal.state.Codes;
-import dev.carom.internal.state.ContactFlags;
 import dev.carom.internal.state.FilterBits;
 import dev.carom.internal.state.Gravity;
 import dev.carom.internal.state.MovingCircle;
@@ -151,15 +150,12 @@ final class WorldQueries {
     }
   }
 
-  double restitution(int code) {
-    return Codes.isCircle(code)
-        ? circles.restitution(Codes.slot(code))
-        : obstacles.givenRestitution(code);
-  }
-
-  /** Returns the {@link FilterBits} of an obstacle or a circle. */
-  long filter(int code) {
-    return Codes.isCircle(code) ? registry.filter(Codes.slot(code)) : obstacles.filter(code);
+  Traits traits(int code) {
+    if (!Codes.isCircle(code)) {
+      return Traits.of(obstacles, code);
+    }
+    int slot = Codes.slot(code);
+    return Traits.of(registry, slot, circles.restitution(slot));
   }
 
   Vec2 velocity(int code, double now) {
@@ -180,21 +176,6 @@ final class WorldQueries {
     double ux = obstacles.ux(support);
     double uy = obstacles.uy(support);
     return circles.vx(slot, now) == ux && circles.vy(slot, now) == uy;
-  }
-
-  Response response(int code) {
-    return Response.of(ContactFlags.response(traits(code)));
-  }
-
-  boolean isOneWay(int code) {
-    return ContactFlags.isOneWay(traits(code));
-  }
-
-  private int traits(int code) {
-    if (Codes.isCircle(code)) {
-      return registry.traits(Codes.slot(code));
-    }
-    return obstacles.traits(code);
   }
 
   int[] ids(Kind kind) {

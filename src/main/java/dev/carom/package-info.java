@@ -169,7 +169,7 @@
  *       href="doc-files/rules.html#unfinished">unfinished steps</a>.
  *   <dt>filter
  *   <dd>The category and the mask of a thing, which say what it can meet: see {@link
- *       dev.carom.SceneBuilder#filter}.
+ *       dev.carom.Filter}.
  *   <dt>flight
  *   <dd>The motion of one circle between two impacts: a straight line, with gravity an arc of a
  *       parabola. An edit of the circle begins a new one.

@@ -40,10 +40,10 @@ class ArchitectureTest {
 
   private static final String DETECTOR = " SweptCircle SweptSphere CircleCast Impact Kind Feature";
 
-  private static final String RESOLVER = " Resolver Casts Trajectory Flight";
+  private static final String RESOLVER = " Filter Resolver Casts Trajectory Flight";
 
   private static final String WORLD =
-      " Scene SceneBuilder SceneFormatException Response World WorldQueries ImpactLog Outcome"
+      " Scene SceneBuilder SceneFormatException Response Traits World WorldQueries ImpactLog Outcome"
           + " StopReason Snapshot Timeline Uncertainty";
 
   private static final Class<?> REFUSAL = IllegalArgumentException.class;

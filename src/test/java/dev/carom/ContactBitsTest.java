@@ -136,7 +136,7 @@ class ContactBitsTest {
     SceneBuilder scene = Scene.builder().collide(collide).gravity(0, -10).peg(0, 0, 1).peg(3, 0, 1);
     World used = new World(scene.circle(1.4, 8, 1, 0, 0).restitution(0.5).build());
     World moved = new World(used.scene());
-    moved.setRestitution(Kind.PEG, 0, 0.25);
+    moved.setTraits(Kind.PEG, 0, moved.traits(Kind.PEG, 0).withRestitution(0.25));
     assertThat(used.advanceTo(30)).isTrue();
     used.restore(moved.snapshot());
     assertThat(used.advanceTo(30)).isTrue();

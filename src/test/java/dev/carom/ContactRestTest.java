@@ -64,8 +64,8 @@ class ContactRestTest {
     assertThat(run.resting()).isEqualTo(80);
     World world = run.world;
     double[] before = run.state();
-    int id = world.addCircle(120, 600, 10, 0, -3);
-    world.setRestitution(Kind.CIRCLE, id, e);
+    int id = world.addCircle(120, 600, 10, 0, -3, Traits.DEFAULT);
+    world.setTraits(Kind.CIRCLE, id, world.traits(Kind.CIRCLE, id).withRestitution(e));
     int moved = 0;
     for (int k = 0; k < 600; k++) {
       assertThat(world.step(1)).isTrue();
@@ -140,7 +140,7 @@ class ContactRestTest {
       run.play(t);
       double momentum = 0;
       for (int i = 0; i < 30; i++) {
-        momentum += run.world.mass(i) * run.world.vx(i);
+        momentum += run.world.traits(Kind.CIRCLE, i).mass() * run.world.vx(i);
       }
       assertThat(momentum).as("at %s", t).isCloseTo(right, within(1e-11));
     }

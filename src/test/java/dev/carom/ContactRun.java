@@ -89,8 +89,8 @@ public final class ContactRun {
     double sum = 0;
     double smallest = Double.POSITIVE_INFINITY;
     for (int i = 0; i < world.circleCount(); i++) {
-      if (world.mass(i) < Double.POSITIVE_INFINITY) {
-        sum += world.mass(i) * gravity * world.radius(i);
+      if (world.traits(Kind.CIRCLE, i).mass() < Double.POSITIVE_INFINITY) {
+        sum += world.traits(Kind.CIRCLE, i).mass() * gravity * world.radius(i);
         smallest = Math.min(smallest, world.radius(i));
       }
     }
@@ -220,7 +220,7 @@ public final class ContactRun {
     Vec2 g = world.gravity();
     double sum = 0;
     for (int i = 0; i < world.circleCount(); i++) {
-      double m = world.mass(i);
+      double m = world.traits(Kind.CIRCLE, i).mass();
       if (m < Double.POSITIVE_INFINITY) {
         double vx = world.vx(i);
         double vy = world.vy(i);
@@ -257,7 +257,7 @@ public final class ContactRun {
     lines.clear();
     pegs.clear();
     for (int id : world.ids(Kind.LINE)) {
-      if (!world.oneWay(id) || fromAbove) {
+      if (!world.traits(Kind.LINE, id).oneWay() || fromAbove) {
         lines.put(id, world.line(id));
       }
       if (!world.velocity(Kind.LINE, id).equals(Vec2.ZERO)) {
@@ -322,7 +322,7 @@ public final class ContactRun {
   private boolean isSolid(int k, Line line, double x, double y) {
     double left =
         (line.bx() - line.ax()) * (y - line.ay()) - (line.by() - line.ay()) * (x - line.ax());
-    return !world.oneWay(k) || left > 0;
+    return !world.traits(Kind.LINE, k).oneWay() || left > 0;
   }
 
   private static double size(Line line) {

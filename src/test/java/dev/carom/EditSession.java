@@ -97,7 +97,7 @@ final class EditSession {
   /** Gives a filter to every other thing. */
   private void filter(SceneBuilder builder) {
     if (masks != null && masks.nextBoolean()) {
-      builder.filter(bits(), bits());
+      builder.filter(new Filter(bits(), bits()));
     }
   }
 
@@ -244,13 +244,17 @@ final class EditSession {
       double radius = numbers.radius();
       worlds.edit(w -> w.setRadius(id, radius), p -> p.setRadius(id, radius));
       double mass = numbers.mass();
-      worlds.edit(w -> w.setMass(id, mass), p -> p.setMass(id, mass));
+      worlds.edit(
+          w -> w.setTraits(Kind.CIRCLE, id, w.traits(Kind.CIRCLE, id).withMass(mass)),
+          p -> p.setMass(id, mass));
     }
     Kind kind = kind();
     int thing = some(kind);
     if (thing >= 0) {
       double e = numbers.restitution();
-      worlds.edit(w -> w.setRestitution(kind, thing, e), p -> p.setRestitution(kind, thing, e));
+      worlds.edit(
+          w -> w.setTraits(kind, thing, w.traits(kind, thing).withRestitution(e)),
+          p -> p.setRestitution(kind, thing, e));
     }
   }
 
@@ -261,7 +265,9 @@ final class EditSession {
       double radius = numbers.radius();
       double vx = numbers.speed();
       double vy = numbers.speed();
-      worlds.edit(w -> w.addCircle(x, y, radius, vx, vy), p -> p.addCircle(x, y, radius, vx, vy));
+      worlds.edit(
+          w -> w.addCircle(x, y, radius, vx, vy, Traits.DEFAULT),
+          p -> p.addCircle(x, y, radius, vx, vy));
     }
   }
 
@@ -270,11 +276,11 @@ final class EditSession {
     double y = numbers.y();
     if (random.nextInt(3) == 0) {
       double radius = numbers.pegRadius();
-      worlds.edit(w -> w.addPeg(x, y, radius), p -> p.addPeg(x, y, radius));
+      worlds.edit(w -> w.addPeg(x, y, radius, Traits.DEFAULT), p -> p.addPeg(x, y, radius));
     } else {
       double bx = numbers.x();
       double by = numbers.y();
-      worlds.edit(w -> w.addLine(x, y, bx, by), p -> p.addLine(x, y, bx, by));
+      worlds.edit(w -> w.addLine(x, y, bx, by, Traits.DEFAULT), p -> p.addLine(x, y, bx, by));
     }
   }
 
@@ -308,11 +314,15 @@ final class EditSession {
     int most = sensors && kind != Kind.WALL ? 3 : 2;
     Response response = Response.values()[random.nextInt(4) == 0 ? random.nextInt(most) : 0];
     if (id >= 0) {
-      worlds.edit(w -> w.setResponse(kind, id, response), p -> p.setResponse(kind, id, response));
+      worlds.edit(
+          w -> w.setTraits(kind, id, w.traits(kind, id).withResponse(response)),
+          p -> p.setResponse(kind, id, response));
     }
     if (id >= 0 && kind == Kind.LINE) {
       boolean oneWay = random.nextInt(3) == 0;
-      worlds.edit(w -> w.setOneWay(id, oneWay), p -> p.setOneWay(id, oneWay));
+      worlds.edit(
+          w -> w.setTraits(Kind.LINE, id, w.traits(Kind.LINE, id).withOneWay(oneWay)),
+          p -> p.setOneWay(id, oneWay));
     }
   }
 
@@ -324,9 +334,10 @@ final class EditSession {
       int category = bits();
       int mask = bits();
       worlds.edit(
-          w -> w.setFilter(kind, id, category, mask), p -> p.setFilter(kind, id, category, mask));
-      assertThat(world().category(kind, id)).isEqualTo(category);
-      assertThat(world().mask(kind, id)).isEqualTo(mask);
+          w -> w.setTraits(kind, id, w.traits(kind, id).withFilter(new Filter(category, mask))),
+          p -> p.setFilter(kind, id, category, mask));
+      assertThat(world().traits(kind, id).filter().category()).isEqualTo(category);
+      assertThat(world().traits(kind, id).filter().mask()).isEqualTo(mask);
     }
   }
 

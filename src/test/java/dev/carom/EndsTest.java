@@ -210,8 +210,8 @@ class EndsTest {
   void aWallAlongWhichACircleSlidIsThereForItWhenAPegTurnsIt() {
     World world = new World(Scene.builder().bounds(-100, 0, 100, 4).circle(0, 2, 2, 1, 1).build());
     Run.to(world, 0);
-    world.addCircle(50, 2, 1, 0, 0);
-    world.addPeg(2, 4, 2 * Math.sqrt(2) - 2);
+    world.addCircle(50, 2, 1, 0, 0, Traits.DEFAULT);
+    world.addPeg(2, 4, 2 * Math.sqrt(2) - 2, Traits.DEFAULT);
     Run.to(world, 20);
     assertThat(world.y(0)).isBetween(2 - 1e-9, 2 + 1e-9);
   }

@@ -12,7 +12,7 @@ public final class Energy {
     for (int id : world.ids(Kind.CIRCLE)) {
       double vx = world.vx(id);
       double vy = world.vy(id);
-      energy += world.mass(id) * (vx * vx + vy * vy) / 2;
+      energy += world.traits(Kind.CIRCLE, id).mass() * (vx * vx + vy * vy) / 2;
     }
     return energy;
   }

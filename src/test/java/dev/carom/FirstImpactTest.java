@@ -141,9 +141,12 @@ class FirstImpactTest {
     if (how == 0) {
       world.remove(first.kind(), first.id());
     } else if (how == 2 && first.kind() == Kind.LINE && scene.comesFromTheRight(first.id())) {
-      world.setOneWay(first.id(), true);
+      world.setTraits(Kind.LINE, first.id(), world.traits(Kind.LINE, first.id()).withOneWay(true));
     } else {
-      world.setResponse(first.kind(), first.id(), Response.SENSOR);
+      world.setTraits(
+          first.kind(),
+          first.id(),
+          world.traits(first.kind(), first.id()).withResponse(Response.SENSOR));
     }
   }
 

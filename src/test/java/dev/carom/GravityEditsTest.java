@@ -92,7 +92,7 @@ class GravityEditsTest {
   void anObstacleThatAppearsInTheWayOfAHopLeavesTheReturnAsItIs() {
     World world = new World(box().circle(50, 6, 1, 0, 0).build());
     rows(world, 1.25); // it touches the floor at 1
-    world.addPeg(50, 8, 1);
+    world.addPeg(50, 8, 1, Traits.DEFAULT);
     rows(world, 2.75); // it touches the peg at 2, at its apex: a graze
     assertThat(world.y(0)).isLessThan(6);
     assertThat(world.y(0)).isEqualTo(6 - 5 * 0.75 * 0.75);

@@ -108,18 +108,18 @@ class GravitySymmetryTest {
     for (int i = 0; i < scene.lineCount(); i++) {
       Line l = scene.line(i);
       builder.line(mx * l.ax() + dx, my * l.ay() + dy, mx * l.bx() + dx, my * l.by() + dy);
-      builder.restitution(scene.restitution(Kind.LINE, i));
+      builder.restitution(scene.traits(Kind.LINE, i).restitution());
     }
     for (int i = 0; i < scene.pegCount(); i++) {
       Circle c = scene.peg(i);
       builder.peg(mx * c.x() + dx, my * c.y() + dy, size * c.radius());
-      builder.restitution(scene.restitution(Kind.PEG, i));
+      builder.restitution(scene.traits(Kind.PEG, i).restitution());
     }
     for (int i = 0; i < scene.circleCount(); i++) {
       Circle c = scene.circle(i);
       Vec2 v = scene.velocity(i);
       builder.circle(mx * c.x() + dx, my * c.y() + dy, size * c.radius(), mx * v.x(), my * v.y());
-      builder.restitution(scene.restitution(Kind.CIRCLE, i));
+      builder.restitution(scene.traits(Kind.CIRCLE, i).restitution());
     }
     return builder.build();
   }

@@ -96,8 +96,8 @@ class HeapTest {
   @Test
   void aSlowBallLandsOnAHeapThatRests() {
     World world = threeAtRest();
-    int id = world.addCircle(world.x(2), world.y(2) + 2 + 1e-5, 1, 0, 0);
-    world.setRestitution(Kind.CIRCLE, id, 0.5);
+    int id = world.addCircle(world.x(2), world.y(2) + 2 + 1e-5, 1, 0, 0, Traits.DEFAULT);
+    world.setTraits(Kind.CIRCLE, id, world.traits(Kind.CIRCLE, id).withRestitution(0.5));
     world.advanceTo(world.now() + 0.01);
     assertThat(world.impacts().size()).isPositive();
     assertThat(resting(world)).containsExactly(0, 1, 2);
@@ -106,7 +106,7 @@ class HeapTest {
   @Test
   void aFastBallFreesTheHeap() {
     World world = threeAtRest();
-    world.addCircle(world.x(2), world.y(2) + 3, 1, 0, -1);
+    world.addCircle(world.x(2), world.y(2) + 3, 1, 0, -1, Traits.DEFAULT);
     assertThat(world.advanceToImpact(20)).isEqualTo(StopReason.IMPACT);
     assertThat(world.impacts().kind(0)).isEqualTo(Kind.CIRCLE);
     world.step(0.1); // it wakes at the next tick
@@ -133,7 +133,7 @@ class HeapTest {
   @Test
   void aCircleThatBecomesASensorFreesThoseOnIt() {
     World world = threeAtRest();
-    world.setResponse(Kind.CIRCLE, 0, Response.SENSOR);
+    world.setTraits(Kind.CIRCLE, 0, world.traits(Kind.CIRCLE, 0).withResponse(Response.SENSOR));
     assertThat(resting(world)).as("who touched it").doesNotContain(2);
     rows(world, 20);
     assertThat(world.y(2)).isBetween(1.0, 1 + 0x1p-7);
@@ -143,7 +143,7 @@ class HeapTest {
   @Test
   void anotherMassFreesTheHeap() {
     World world = threeAtRest();
-    world.setMass(2, 1000);
+    world.setTraits(Kind.CIRCLE, 2, world.traits(Kind.CIRCLE, 2).withMass(1000));
     assertThat(resting(world)).isEmpty();
     rows(world, 20);
     assertThat(resting(world)).containsExactly(0, 1, 2);

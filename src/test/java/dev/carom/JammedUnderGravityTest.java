@@ -60,7 +60,7 @@ class JammedUnderGravityTest {
     assertThat(world.y(0)).as("a contact may hover").isBetween(9 - 0x1p-7, 9 + 1e-9);
     switch (edit) {
       case "remove" -> world.remove(CIRCLE, 1);
-      case "setMass" -> world.setMass(1, 1);
+      case "setMass" -> world.setTraits(Kind.CIRCLE, 1, world.traits(Kind.CIRCLE, 1).withMass(1));
       case "setVelocity" -> world.setVelocity(1, 0, -20);
       default -> world.setPosition(1, 50, 0);
     }

@@ -40,7 +40,7 @@ class LockstepTest {
       Scene scene = Scene.builder().collide(collide).peg(6, 7, 0).circle(1, 11, 1, vx, 0).build();
       World world = new World(scene);
       Run.step(world, 0.1);
-      assertSame(world, w -> w.setResponse(PEG, 0, Response.SENSOR));
+      assertSame(world, w -> w.setTraits(PEG, 0, w.traits(PEG, 0).withResponse(Response.SENSOR)));
     }
   }
 
@@ -51,7 +51,7 @@ class LockstepTest {
       SceneBuilder scene = Scene.builder().bounds(0, 0, 100, 100).collide(true);
       World world = new World(scene.circle(x, 50, 1, 0.25, 0).build());
       Run.step(world, 0.1);
-      assertSame(world, w -> w.setResponse(PEG, w.addPeg(6, 7, 0), Response.SENSOR));
+      assertSame(world, w -> w.addPeg(6, 7, 0, Traits.DEFAULT.withResponse(Response.SENSOR)));
     }
   }
 
@@ -70,7 +70,7 @@ class LockstepTest {
     World world = new World(scene);
     Run.to(world, late);
     world.setVelocity(0, 0x1p7, 0);
-    assertSame(world, w -> w.setRestitution(CIRCLE, 0, 0.5));
+    assertSame(world, w -> w.setTraits(CIRCLE, 0, w.traits(CIRCLE, 0).withRestitution(0.5)));
     world.setVelocity(0, 0x1p7, 0);
     assertSame(world, w -> w.remove(LINE, 1));
     world.setVelocity(0, 0x1p7, 0);
@@ -112,9 +112,9 @@ class LockstepTest {
     Scene scene = builder.peg(9, 9, 0).build();
     List<Consumer<World>> edits =
         List.of(
-            w -> w.setRestitution(CIRCLE, 0, 0.5),
-            w -> w.setResponse(PEG, 0, Response.SENSOR),
-            w -> w.setResponse(LINE, w.addLine(9, 0, 9, 10), Response.SENSOR),
+            w -> w.setTraits(CIRCLE, 0, w.traits(CIRCLE, 0).withRestitution(0.5)),
+            w -> w.setTraits(PEG, 0, w.traits(PEG, 0).withResponse(Response.SENSOR)),
+            w -> w.addLine(9, 0, 9, 10, Traits.DEFAULT.withResponse(Response.SENSOR)),
             w -> w.remove(PEG, 0),
             w -> w.setVelocity(0, 7, 1));
     for (Consumer<World> edit : edits) {
@@ -171,14 +171,14 @@ class LockstepTest {
       case 1 -> w -> w.setPosition(circle, x, y);
       case 2 -> w -> w.moveLine(line, x, y, y, x);
       case 3 -> w -> w.movePeg(peg, x, y, 1);
-      case 4 -> w -> w.setResponse(LINE, line, response);
-      case 5 -> w -> w.setResponse(PEG, peg, response);
-      case 6 -> w -> w.setResponse(CIRCLE, circle, response);
-      case 7 -> w -> w.setOneWay(line, x > 50);
+      case 4 -> w -> w.setTraits(LINE, line, w.traits(LINE, line).withResponse(response));
+      case 5 -> w -> w.setTraits(PEG, peg, w.traits(PEG, peg).withResponse(response));
+      case 6 -> w -> w.setTraits(CIRCLE, circle, w.traits(CIRCLE, circle).withResponse(response));
+      case 7 -> w -> w.setTraits(Kind.LINE, line, w.traits(Kind.LINE, line).withOneWay(x > 50));
       default ->
           w -> {
             w.remove(CIRCLE, circle);
-            w.addCircle(x, y, 1, y / 10, x / 10);
+            w.addCircle(x, y, 1, y / 10, x / 10, Traits.DEFAULT);
           };
     };
   }

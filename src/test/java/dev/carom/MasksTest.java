@@ -54,7 +54,7 @@ class MasksTest {
       int walls = layer();
       double e = random.nextInt(3) > 0 ? 1 : 0.5;
       if ((walls & wanted) != 0) {
-        builder.bounds(0, 0, 100, 80).filter(walls, walls).restitution(e);
+        builder.bounds(0, 0, 100, 80).filter(new Filter(walls, walls)).restitution(e);
       }
       int lines = random.nextInt(40);
       for (int i = 0; i < lines; i++) {
@@ -107,7 +107,7 @@ class MasksTest {
       Response response = Response.values()[Math.max(0, random.nextInt(30) - 27)];
       if ((layer & wanted) != 0) {
         thing.accept(builder);
-        builder.filter(layer, layer).restitution(e).response(response);
+        builder.filter(new Filter(layer, layer)).restitution(e).response(response);
         ids.get(kind.ordinal()).add(id);
       }
     }
@@ -185,14 +185,18 @@ class MasksTest {
   // Walls.
 
   private static SceneBuilder box() {
-    return Scene.builder().bounds(0, 0, 100, 100).filter(1, ~A);
+    return Scene.builder().bounds(0, 0, 100, 100).filter(new Filter(1, ~A));
   }
 
   @ParameterizedTest
   @ValueSource(booleans = {false, true})
   void aCircleLeavesWallsThatItCannotMeet(boolean collide) {
-    SceneBuilder scene = box().collide(collide).circle(50, 50, 10, 8, 0).filter(A, -1);
-    scene.circle(50, 20, 10, 8, 0).line(120, 0, 120, 100).line(300, 0, 400, 0).filter(B, B);
+    SceneBuilder scene = box().collide(collide).circle(50, 50, 10, 8, 0).filter(new Filter(A, -1));
+    scene
+        .circle(50, 20, 10, 8, 0)
+        .line(120, 0, 120, 100)
+        .line(300, 0, 400, 0)
+        .filter(new Filter(B, B));
     World world = new World(scene.build());
     Timeline past = world.record(100);
     assertThat(world.step(7)).isTrue();
@@ -220,11 +224,19 @@ class MasksTest {
     Snapshot before = world.snapshot();
     for (Kind kind : Kind.values()) {
       for (int id : world.ids(kind)) {
-        world.setFilter(kind, id, world.category(kind, id), world.mask(kind, id));
+        world.setTraits(
+            kind,
+            id,
+            world
+                .traits(kind, id)
+                .withFilter(
+                    new Filter(
+                        world.traits(kind, id).filter().category(),
+                        world.traits(kind, id).filter().mask())));
       }
     }
     assertThat(world.snapshot()).isEqualTo(before);
-    world.setFilter(Kind.WALL, 0, 1, 1);
+    world.setTraits(Kind.WALL, 0, world.traits(Kind.WALL, 0).withFilter(new Filter(1, 1)));
     assertThat(world.snapshot()).isNotEqualTo(before);
   }
 
@@ -235,11 +247,11 @@ class MasksTest {
         box()
             .collide(true)
             .line(50, 0, 50, 100)
-            .filter(A, -1)
+            .filter(new Filter(A, -1))
             .peg(70, 50, 5)
-            .filter(1, ~B)
+            .filter(new Filter(1, ~B))
             .circle(30, 50, 5, 0, 0)
-            .filter(B, -1)
+            .filter(new Filter(B, -1))
             .build());
   }
 
@@ -303,7 +315,7 @@ class MasksTest {
           case PEG -> scene.peg(70, 50, 5);
           case CIRCLE -> scene.circle(30, 50, 5, 0, 0);
         };
-    return new World(scene.filter(A, B).build());
+    return new World(scene.filter(new Filter(A, B)).build());
   }
 
   @Test
@@ -336,16 +348,16 @@ class MasksTest {
   @Test
   void aSceneTellsTheFilters() {
     Scene scene = asked().scene();
-    assertThat(scene.category(Kind.WALL, 3)).isEqualTo(1);
-    assertThat(scene.mask(Kind.WALL, 3)).isEqualTo(~A);
-    assertThat(scene.category(Kind.LINE, 0)).isEqualTo(A);
-    assertThat(scene.mask(Kind.LINE, 0)).isEqualTo(-1);
-    assertThat(scene.mask(Kind.PEG, 0)).isEqualTo(~B);
-    assertThat(scene.category(Kind.CIRCLE, 0)).isEqualTo(B);
-    assertThatThrownBy(() -> scene.mask(Kind.CIRCLE, 1))
+    assertThat(scene.traits(Kind.WALL, 3).filter().category()).isEqualTo(1);
+    assertThat(scene.traits(Kind.WALL, 3).filter().mask()).isEqualTo(~A);
+    assertThat(scene.traits(Kind.LINE, 0).filter().category()).isEqualTo(A);
+    assertThat(scene.traits(Kind.LINE, 0).filter().mask()).isEqualTo(-1);
+    assertThat(scene.traits(Kind.PEG, 0).filter().mask()).isEqualTo(~B);
+    assertThat(scene.traits(Kind.CIRCLE, 0).filter().category()).isEqualTo(B);
+    assertThatThrownBy(() -> scene.traits(Kind.CIRCLE, 1).filter().mask())
         .isInstanceOf(IndexOutOfBoundsException.class)
         .hasMessage("circle 1 does not exist: the scene has 1 of them, from 0");
-    assertThatThrownBy(() -> Scene.builder().filter(1, 1))
+    assertThatThrownBy(() -> Scene.builder().filter(new Filter(1, 1)))
         .isInstanceOf(IllegalStateException.class)
         .hasMessage("filter belongs to the thing added last: add one first");
   }
@@ -395,13 +407,13 @@ class MasksTest {
         box()
             .collide(true)
             .line(0, 0, 9, 0)
-            .filter(1, ~A)
+            .filter(new Filter(1, ~A))
             .peg(0, 5, 1)
-            .filter(1, ~A)
+            .filter(new Filter(1, ~A))
             .circle(0, 0, 10, 0, 0)
-            .filter(A, 1)
+            .filter(new Filter(A, 1))
             .circle(1, 1, 10, 0, 0)
-            .filter(B, -1);
+            .filter(new Filter(B, -1));
     assertThat(builder.build().warnings())
         .extracting(text -> text.substring(0, text.indexOf(" is ")))
         .containsExactly(

@@ -64,7 +64,8 @@ abstract class PlainState {
       Circle c = scene.circle(i);
       Vec2 v = scene.velocity(i);
       MovingCircle m = new MovingCircle();
-      m.start(i, c.x(), c.y(), c.radius(), v.x(), v.y(), scene.restitution(Kind.CIRCLE, i));
+      m.start(
+          i, c.x(), c.y(), c.radius(), v.x(), v.y(), scene.traits(Kind.CIRCLE, i).restitution());
       m.filter = registry.filter(i);
       release(m);
       bodies.add(m);

@@ -112,7 +112,7 @@ class PointParticlesTest {
         .hasMessageContaining("radius is 0.0: expected more than 0, as there are lines");
     World lines = new World(room().line(0, 0, 9, 9).circle(20, 50, 1, 10, 0).build());
     assertThatIllegalArgumentException()
-        .isThrownBy(() -> lines.addCircle(5, 5, 0, 0, 0))
+        .isThrownBy(() -> lines.addCircle(5, 5, 0, 0, 0, Traits.DEFAULT))
         .withMessage("circle 1: radius is 0.0: expected more than 0, as there are lines");
     assertThatIllegalArgumentException()
         .isThrownBy(() -> lines.setRadius(0, 0))
@@ -120,13 +120,13 @@ class PointParticlesTest {
     lines.remove(Kind.LINE, 0);
     lines.setRadius(0, 0);
     assertThatIllegalArgumentException()
-        .isThrownBy(() -> lines.addLine(0, 0, 1, 1))
+        .isThrownBy(() -> lines.addLine(0, 0, 1, 1, Traits.DEFAULT))
         .withMessage(
             "line 1: radius of circle 0 is 0.0: expected more than 0, for a line to be added");
     assertThat(lines.ids(Kind.LINE)).isEmpty();
     assertThat(lines.step(1)).isTrue();
     lines.setRadius(0, 2);
-    assertThat(lines.addLine(0, 0, 1, 1)).isEqualTo(1);
+    assertThat(lines.addLine(0, 0, 1, 1, Traits.DEFAULT)).isEqualTo(1);
     lines.setRadius(0, 1e-3);
   }
 
@@ -135,7 +135,8 @@ class PointParticlesTest {
   void pointsLimitNoCoordinate() {
     World world = new World(Scene.builder().circle(0, 0, 0, 1, 1).build());
     world.setPosition(0, 1e300, 1);
-    assertThat(world.addPeg(-1e305, 0, 1)).isZero();
-    assertThatIllegalArgumentException().isThrownBy(() -> world.addCircle(0, 0, 1, 0, 0));
+    assertThat(world.addPeg(-1e305, 0, 1, Traits.DEFAULT)).isZero();
+    assertThatIllegalArgumentException()
+        .isThrownBy(() -> world.addCircle(0, 0, 1, 0, 0, Traits.DEFAULT));
   }
 }

@@ -69,7 +69,7 @@ class QuestionsTest {
       if (random.nextInt(15) == 0) {
         scene.velocity(speed(random, unit), speed(random, unit));
       } else if (random.nextInt(10) == 0) {
-        scene.filter(2, -1);
+        scene.filter(new Filter(2, -1));
       }
     }
     scene.line(3 * unit, 3 * unit, 9 * unit, 9 * unit).line(3 * unit, 3 * unit, 9 * unit, 9 * unit);
@@ -89,9 +89,11 @@ class QuestionsTest {
               place(random, unit),
               r,
               speed(random, unit),
-              speed(random, unit));
+              speed(random, unit),
+              Traits.DEFAULT);
       if (i % 9 == 0) {
-        world.setResponse(Kind.CIRCLE, id, Response.SENSOR);
+        world.setTraits(
+            Kind.CIRCLE, id, world.traits(Kind.CIRCLE, id).withResponse(Response.SENSOR));
       }
     }
   }
@@ -137,7 +139,7 @@ class QuestionsTest {
         double r = unit * (0.1 + circles.nextDouble());
         double vx = speed(circles, unit);
         double vy = speed(circles, unit);
-        worlds.each(world -> world.setMass(world.addCircle(x, y, r, vx, vy), mass));
+        worlds.each(world -> world.addCircle(x, y, r, vx, vy, Traits.DEFAULT.withMass(mass)));
       }
       for (int round = 0; round < 3; round++) {
         for (int i = 0; i < QUESTIONS; i++) {
@@ -192,21 +194,23 @@ class QuestionsTest {
       double x = place(random, unit);
       double y = place(random, unit);
       world.moveLine(lines[i], x, y, x + way(random, unit), y + way(random, unit));
-      world.addLine(y, x, x, y);
+      world.addLine(y, x, x, y, Traits.DEFAULT);
     }
     world.remove(Kind.LINE, lines[lines.length / 2]);
     world.remove(Kind.PEG, pegs[round]);
     world.movePeg(pegs[9], place(random, unit), place(random, unit), radius(random, unit));
-    world.addPeg(place(random, unit), place(random, unit), radius(random, unit));
+    world.addPeg(place(random, unit), place(random, unit), radius(random, unit), Traits.DEFAULT);
     world.setVelocity(Kind.PEG, pegs[10 + round], speed(random, unit), unit);
     world.setVelocity(Kind.LINE, lines[10], 0, 0);
-    world.setFilter(Kind.PEG, pegs[20 + round], 2, 4);
+    world.setTraits(Kind.PEG, pegs[20 + round], Traits.DEFAULT.withFilter(new Filter(2, 4)));
     int[] circles = world.ids(Kind.CIRCLE);
     if (circles.length > 0) {
       world.remove(Kind.CIRCLE, circles[round]);
       world.setPosition(circles[19], place(random, unit), place(random, unit));
       world.setVelocity(circles[21], 50 * unit, unit);
-      world.setFilter(Kind.CIRCLE, circles[22], 2, -1);
+      int circle = circles[22];
+      Traits filtered = world.traits(Kind.CIRCLE, circle).withFilter(new Filter(2, -1));
+      world.setTraits(Kind.CIRCLE, circle, filtered);
       addCircles(world, random, unit, 3);
     }
   }

@@ -63,39 +63,52 @@ class RefusedEditTest {
             "circle 1: radius is 1.0E-11: expected at least 1.1641532182693481E-10, 2^10 ulps of"
                 + " the largest coordinate, 1000.0",
             w -> w.setRadius(1, 1e-11)),
-        refused("circle 1: mass is 0.0: expected a number from 2^-500", w -> w.setMass(1, 0)),
-        refused("circle 1: mass is NaN: expected a number from 2^-500", w -> w.setMass(1, NAN)),
-        refused("circle 3: x is NaN" + FINITE, w -> w.addCircle(NAN, 1, 1, 1, 1)),
-        refused("circle 3: y is 1.0E13" + TOO_LARGE, w -> w.addCircle(1, 1e13, 1, 1, 1)),
-        refused("circle 3: radius is -1.0: expected a finite", w -> w.addCircle(1, 1, -1, 1, 1)),
         refused(
-            "circle 3: radius is 1.0E-11: expected at least", w -> w.addCircle(1, 1, 1e-11, 1, 1)),
-        refused("circle 3: vx is Infinity" + FINITE, w -> w.addCircle(1, 1, 1, INF, 1)),
-        refused("circle 3: vy is NaN" + FINITE, w -> w.addCircle(1, 1, 1, 1, NAN)),
-        refused("line 2: ax is NaN" + FINITE, w -> w.addLine(NAN, 1, 1, 1)),
-        refused("line 2: by is 1.0E13" + TOO_LARGE, w -> w.addLine(1, 1, 1, 1e13)),
+            "mass is 0.0: expected a number from 2^-500",
+            w -> w.setTraits(Kind.CIRCLE, 1, w.traits(Kind.CIRCLE, 1).withMass(0))),
+        refused(
+            "mass is NaN: expected a number from 2^-500",
+            w -> w.setTraits(Kind.CIRCLE, 1, w.traits(Kind.CIRCLE, 1).withMass(NAN))),
+        refused("circle 3: x is NaN" + FINITE, w -> w.addCircle(NAN, 1, 1, 1, 1, Traits.DEFAULT)),
+        refused(
+            "circle 3: y is 1.0E13" + TOO_LARGE,
+            w -> w.addCircle(1, 1e13, 1, 1, 1, Traits.DEFAULT)),
+        refused(
+            "circle 3: radius is -1.0: expected a finite",
+            w -> w.addCircle(1, 1, -1, 1, 1, Traits.DEFAULT)),
+        refused(
+            "circle 3: radius is 1.0E-11: expected at least",
+            w -> w.addCircle(1, 1, 1e-11, 1, 1, Traits.DEFAULT)),
+        refused(
+            "circle 3: vx is Infinity" + FINITE, w -> w.addCircle(1, 1, 1, INF, 1, Traits.DEFAULT)),
+        refused("circle 3: vy is NaN" + FINITE, w -> w.addCircle(1, 1, 1, 1, NAN, Traits.DEFAULT)),
+        refused("line 2: ax is NaN" + FINITE, w -> w.addLine(NAN, 1, 1, 1, Traits.DEFAULT)),
+        refused("line 2: by is 1.0E13" + TOO_LARGE, w -> w.addLine(1, 1, 1, 1e13, Traits.DEFAULT)),
         refused("line 0: bx is -Infinity" + FINITE, w -> w.moveLine(0, 1, 1, -INF, 1)),
         refused("line 0: ay is 1.0E13" + TOO_LARGE, w -> w.moveLine(0, 1, 1e13, 1, 1)),
-        refused("peg 2: x is NaN" + FINITE, w -> w.addPeg(NAN, 1, 1)),
-        refused("peg 2: radius is -1.0: expected a finite", w -> w.addPeg(1, 1, -1)),
+        refused("peg 2: x is NaN" + FINITE, w -> w.addPeg(NAN, 1, 1, Traits.DEFAULT)),
+        refused(
+            "peg 2: radius is -1.0: expected a finite", w -> w.addPeg(1, 1, -1, Traits.DEFAULT)),
         refused("peg 0: y is 1.0E13" + TOO_LARGE, w -> w.movePeg(0, 1, 1e13, 1)),
         refused("peg 0: radius is NaN: expected a finite", w -> w.movePeg(0, 1, 1, NAN)),
         refused(
-            "bounds: restitution is -1.0: expected a finite", w -> w.setRestitution(WALL, 0, -1)),
+            "restitution is -1.0: expected a finite",
+            w -> w.setTraits(WALL, 0, w.traits(WALL, 0).withRestitution(-1))),
         refused(
-            "line 0: restitution is NaN: expected a finite", w -> w.setRestitution(LINE, 0, NAN)),
+            "restitution is NaN: expected a finite",
+            w -> w.setTraits(LINE, 0, w.traits(LINE, 0).withRestitution(NAN))),
         refused(
-            "peg 0: restitution is Infinity: expected a finite",
-            w -> w.setRestitution(PEG, 0, INF)),
+            "restitution is Infinity: expected a finite",
+            w -> w.setTraits(PEG, 0, w.traits(PEG, 0).withRestitution(INF))),
         refused(
-            "circle 0: restitution is -1.0: expected a finite",
-            w -> w.setRestitution(CIRCLE, 0, -1)),
+            "restitution is -1.0: expected a finite",
+            w -> w.setTraits(CIRCLE, 0, w.traits(CIRCLE, 0).withRestitution(-1))),
         refused(
-            "circle 1: restitution is -0.5: expected a finite",
-            w -> w.setRestitution(CIRCLE, 1, -0.5)),
+            "restitution is -0.5: expected a finite",
+            w -> w.setTraits(CIRCLE, 1, w.traits(CIRCLE, 1).withRestitution(-0.5))),
         refused(
-            "bounds: response is SENSOR: expected BOUNCE or HALT: bounds keep circles inside",
-            w -> w.setResponse(WALL, 0, Response.SENSOR)),
+            "bounds: response is sensor: expected bounce or halt: bounds keep circles inside",
+            w -> w.setTraits(WALL, 0, w.traits(WALL, 0).withResponse(Response.SENSOR))),
         refused("kind is WALL: expected LINE, PEG or CIRCLE: walls stay", w -> w.remove(WALL, 0)));
   }
 
@@ -119,33 +132,42 @@ class RefusedEditTest {
         refused("circle 2" + gone, w -> w.setVelocity(2, 1, 1)),
         refused("circle 2" + gone, w -> w.setPosition(2, 1, 1)),
         refused("circle 2" + gone, w -> w.setRadius(2, 1)),
-        refused("circle 2" + gone, w -> w.setMass(2, 1)),
+        refused(
+            "circle 2" + gone,
+            w -> w.setTraits(Kind.CIRCLE, 2, w.traits(Kind.CIRCLE, 2).withMass(1))),
         refused("circle 2" + gone, w -> w.x(2)),
         refused("circle 2" + gone, w -> w.y(2)),
         refused("circle 2" + gone, w -> w.vx(2)),
         refused("circle 2" + gone, w -> w.vy(2)),
         refused("circle 2" + gone, w -> w.radius(2)),
-        refused("circle 2" + gone, w -> w.mass(2)),
-        refused("circle 2" + gone, w -> w.restitution(CIRCLE, 2)),
-        refused("circle 3" + below + 2, w -> w.response(CIRCLE, 3)),
-        refused("line 1" + gone, w -> w.oneWay(1)),
-        refused("line 1" + gone, w -> w.response(LINE, 1)),
-        refused("peg 1" + gone, w -> w.restitution(PEG, 1)),
-        refused("wall 4" + below + 3, w -> w.restitution(WALL, 4)),
+        refused("circle 2" + gone, w -> w.traits(Kind.CIRCLE, 2).mass()),
+        refused("circle 2" + gone, w -> w.traits(CIRCLE, 2).restitution()),
+        refused("circle 3" + below + 2, w -> w.traits(CIRCLE, 3).response()),
+        refused("line 1" + gone, w -> w.traits(Kind.LINE, 1).oneWay()),
+        refused("line 1" + gone, w -> w.traits(LINE, 1).response()),
+        refused("peg 1" + gone, w -> w.traits(PEG, 1).restitution()),
+        refused("wall 4" + below + 3, w -> w.traits(WALL, 4).restitution()),
         refused("circle 2" + gone, w -> w.remove(CIRCLE, 2)),
         refused("circle 3" + below + 2, w -> w.setVelocity(3, 1, 1)),
         refused("circle -1" + below + 2, w -> w.setVelocity(-1, 1, 1)),
-        refused("circle -1" + below + 2, w -> w.setResponse(CIRCLE, -1, Response.HALT)),
+        refused(
+            "circle -1" + below + 2,
+            w -> w.setTraits(CIRCLE, -1, w.traits(CIRCLE, -1).withResponse(Response.HALT))),
         refused("line 1" + gone, w -> w.moveLine(1, 1, 2, 3, 4)),
         refused("line 1" + gone, w -> w.line(1)),
-        refused("line 1" + gone, w -> w.setOneWay(1, true)),
-        refused("line 1" + gone, w -> w.setResponse(LINE, 1, Response.HALT)),
+        refused(
+            "line 1" + gone,
+            w -> w.setTraits(Kind.LINE, 1, w.traits(Kind.LINE, 1).withOneWay(true))),
+        refused(
+            "line 1" + gone,
+            w -> w.setTraits(LINE, 1, w.traits(LINE, 1).withResponse(Response.HALT))),
         refused("line 2" + below + 1, w -> w.moveLine(2, 1, 2, 3, 4)),
         refused("peg 1" + gone, w -> w.movePeg(1, 1, 2, 3)),
         refused("peg 1" + gone, w -> w.peg(1)),
         refused("peg 1" + gone, w -> w.remove(PEG, 1)),
-        refused("peg 7" + below + 1, w -> w.setRestitution(PEG, 7, 1)),
-        refused("wall 4" + below + 3, w -> w.setRestitution(WALL, 4, 1)));
+        refused("peg 7" + below + 1, w -> w.setTraits(PEG, 7, w.traits(PEG, 7).withRestitution(1))),
+        refused(
+            "wall 4" + below + 3, w -> w.setTraits(WALL, 4, w.traits(WALL, 4).withRestitution(1))));
   }
 
   @ParameterizedTest
@@ -173,12 +195,12 @@ class RefusedEditTest {
     return Stream.of(
         w -> w.setPosition(0, 1e14, 0),
         w -> w.setPosition(0, 0, -1e14),
-        w -> w.addCircle(0, 1e14, 16, 0, 0),
-        w -> w.addLine(-1e14, 1, 0, 0),
-        w -> w.addLine(0, 0, 1e14, 1),
+        w -> w.addCircle(0, 1e14, 16, 0, 0, Traits.DEFAULT),
+        w -> w.addLine(-1e14, 1, 0, 0, Traits.DEFAULT),
+        w -> w.addLine(0, 0, 1e14, 1, Traits.DEFAULT),
         w -> w.moveLine(0, 1, 1e14, 0, 0),
         w -> w.moveLine(0, 0, 0, 1, -1e14),
-        w -> w.addPeg(1e14, 0, 1),
+        w -> w.addPeg(1e14, 0, 1, Traits.DEFAULT),
         w -> w.movePeg(0, 0, 1e14, 1));
   }
 
@@ -218,7 +240,7 @@ class RefusedEditTest {
   void idsOfAnEmptyWorld() {
     World world = new World(Scene.builder().build());
     assertThatThrownBy(() -> world.x(0)).hasMessage("circle 0 does not exist: there is none");
-    assertThatThrownBy(() -> world.restitution(WALL, 0))
+    assertThatThrownBy(() -> world.traits(WALL, 0).restitution())
         .isInstanceOf(IndexOutOfBoundsException.class)
         .hasMessage("wall 0 does not exist: there is none");
   }

@@ -181,7 +181,7 @@ class ResponseTest {
       SceneBuilder scene = box().collide(collide).line(50, 0, 50, 99).circle(80, 50, 5, -2, 0);
       World world = new World(scene.build());
       Run.step(world, 1);
-      world.setOneWay(0, true);
+      world.setTraits(Kind.LINE, 0, world.traits(Kind.LINE, 0).withOneWay(true));
       assertThat(Run.advance(world, 20).impacts()).isEmpty();
     }
   }

@@ -31,8 +31,8 @@ class RewindTest {
     SceneBuilder scene = RandomScenes.mixed(random).collide(collide).gravity(0, gravity);
     for (int i = 0; i < 4; i++) {
       scene.line(100 + 100 * i, 100, 140 + 100 * i, 130).velocity(random.nextInt(5) - 2, 1);
-      scene.peg(100 + 150 * i, 500, 9).velocity(1, random.nextInt(5) - 2).filter(2, 6);
-      scene.circle(120 + 100 * i, 40, 8, 4, 5).filter(4, 7).mass(3);
+      scene.peg(100 + 150 * i, 500, 9).velocity(1, random.nextInt(5) - 2).filter(new Filter(2, 6));
+      scene.circle(120 + 100 * i, 40, 8, 4, 5).filter(new Filter(4, 7)).mass(3);
     }
     scene.line(0, 250, 800, 330).response(Response.SENSOR);
     if (collide) {
@@ -48,14 +48,23 @@ class RewindTest {
     }
     switch (random.nextInt(9)) {
       case 0 -> world.setVelocity(id, random.nextGaussian() * 9, random.nextGaussian() * 9);
-      case 1 -> world.setRestitution(CIRCLE, id, 0.9);
-      case 2 -> world.setMass(id, 1 + random.nextInt(4));
-      case 3 -> world.addCircle(400, 300, 4, 1, random.nextGaussian());
-      case 4 -> world.addLine(random.nextInt(800), 100, random.nextInt(800), 500);
+      case 1 -> world.setTraits(CIRCLE, id, world.traits(CIRCLE, id).withRestitution(0.9));
+      case 2 ->
+          world.setTraits(
+              Kind.CIRCLE, id, world.traits(Kind.CIRCLE, id).withMass(1 + random.nextInt(4)));
+      case 3 -> world.addCircle(400, 300, 4, 1, random.nextGaussian(), Traits.DEFAULT);
+      case 4 -> world.addLine(random.nextInt(800), 100, random.nextInt(800), 500, Traits.DEFAULT);
       case 5 -> world.remove(CIRCLE, id);
       case 6 -> world.setVelocity(LINE, random.nextInt(60), 1, random.nextInt(3) - 1);
-      case 7 -> world.setFilter(CIRCLE, id, 1 + random.nextInt(3), 7);
-      default -> world.setRestitution(LINE, random.nextInt(60), 0.8);
+      case 7 ->
+          world.setTraits(
+              CIRCLE,
+              id,
+              world.traits(CIRCLE, id).withFilter(new Filter(1 + random.nextInt(3), 7)));
+      default -> {
+        int line = random.nextInt(60);
+        world.setTraits(LINE, line, world.traits(LINE, line).withRestitution(0.8));
+      }
     }
   }
 
@@ -125,28 +134,30 @@ class RewindTest {
   void eachPropertyIsRecorded(boolean collide) {
     List<Consumer<World>> changes =
         List.of(
-            w -> w.setMass(1, 2),
-            w -> w.setMass(1, Double.POSITIVE_INFINITY),
-            w -> w.setRestitution(CIRCLE, 1, 0.5),
-            w -> w.setRestitution(WALL, 2, 0.5),
-            w -> w.setRestitution(LINE, 1, 0.5),
-            w -> w.setRestitution(PEG, 0, 0.5),
-            w -> w.setResponse(CIRCLE, 1, Response.HALT),
-            w -> w.setResponse(WALL, 1, Response.HALT),
-            w -> w.setResponse(LINE, 1, Response.HALT),
-            w -> w.setResponse(PEG, 0, Response.SENSOR),
-            w -> w.setOneWay(1, true),
-            w -> w.setFilter(CIRCLE, 1, 2, 3),
-            w -> w.setFilter(WALL, 1, 3, -1),
-            w -> w.setFilter(LINE, 1, 2, 3),
-            w -> w.setFilter(PEG, 0, 2, 3),
+            w -> w.setTraits(Kind.CIRCLE, 1, w.traits(Kind.CIRCLE, 1).withMass(2)),
+            w ->
+                w.setTraits(
+                    Kind.CIRCLE, 1, w.traits(Kind.CIRCLE, 1).withMass(Double.POSITIVE_INFINITY)),
+            w -> w.setTraits(CIRCLE, 1, w.traits(CIRCLE, 1).withRestitution(0.5)),
+            w -> w.setTraits(WALL, 2, w.traits(WALL, 2).withRestitution(0.5)),
+            w -> w.setTraits(LINE, 1, w.traits(LINE, 1).withRestitution(0.5)),
+            w -> w.setTraits(PEG, 0, w.traits(PEG, 0).withRestitution(0.5)),
+            w -> w.setTraits(CIRCLE, 1, w.traits(CIRCLE, 1).withResponse(Response.HALT)),
+            w -> w.setTraits(WALL, 1, w.traits(WALL, 1).withResponse(Response.HALT)),
+            w -> w.setTraits(LINE, 1, w.traits(LINE, 1).withResponse(Response.HALT)),
+            w -> w.setTraits(PEG, 0, w.traits(PEG, 0).withResponse(Response.SENSOR)),
+            w -> w.setTraits(Kind.LINE, 1, w.traits(Kind.LINE, 1).withOneWay(true)),
+            w -> w.setTraits(CIRCLE, 1, w.traits(CIRCLE, 1).withFilter(new Filter(2, 3))),
+            w -> w.setTraits(WALL, 1, w.traits(WALL, 1).withFilter(new Filter(3, -1))),
+            w -> w.setTraits(LINE, 1, w.traits(LINE, 1).withFilter(new Filter(2, 3))),
+            w -> w.setTraits(PEG, 0, w.traits(PEG, 0).withFilter(new Filter(2, 3))),
             w -> w.setVelocity(LINE, 1, 0.25, 0),
             w -> w.setVelocity(PEG, 0, 0, -0.5),
             w -> w.setRadius(1, 2.5),
-            w -> w.addLine(1, 1, 2, 2),
-            w -> w.addPeg(1, 1, 0),
-            w -> w.remove(LINE, w.addLine(2, 1, 3, 2)),
-            w -> w.remove(CIRCLE, w.addCircle(5, 5, 1, 0, 0)),
+            w -> w.addLine(1, 1, 2, 2, Traits.DEFAULT),
+            w -> w.addPeg(1, 1, 0, Traits.DEFAULT),
+            w -> w.remove(LINE, w.addLine(2, 1, 3, 2, Traits.DEFAULT)),
+            w -> w.remove(CIRCLE, w.addCircle(5, 5, 1, 0, 0, Traits.DEFAULT)),
             w -> w.moveLine(0, 1e6, 20, 40, 40));
     World world = box(collide);
     Timeline past = world.record(MOST);
@@ -199,17 +210,17 @@ class RewindTest {
     Timeline past = world.record(3 * 0.125);
     for (int i = 1; i <= 5; i++) {
       assertThat(world.step(0.125)).isTrue();
-      world.setMass(0, i);
+      world.setTraits(Kind.CIRCLE, 0, world.traits(Kind.CIRCLE, 0).withMass(i));
     }
     assertThat(past.start()).isEqualTo(2 * 0.125);
     for (int i = 1; i <= 5; i++) {
       assertThat(world.step(0.125)).isTrue();
-      world.setRestitution(WALL, 0, 1.0 / i);
+      world.setTraits(WALL, 0, world.traits(WALL, 0).withRestitution(1.0 / i));
     }
     assertThat(world.step(0.125)).isTrue();
     assertThat(past.start()).isEqualTo(8 * 0.125);
     world.restore(past.snapshot(past.start()));
-    assertThat(world.restitution(WALL, 0)).isEqualTo(1.0 / 3);
+    assertThat(world.traits(WALL, 0).restitution()).isEqualTo(1.0 / 3);
   }
 
   // Stuck circles.
@@ -239,8 +250,8 @@ class RewindTest {
     assertThat(world.step(3)).isTrue();
     Snapshot atThree = world.snapshot();
     Timeline second = world.record(MOST);
-    world.addLine(1, 1, 2, 2);
-    world.setRestitution(WALL, 0, 0.5);
+    world.addLine(1, 1, 2, 2, Traits.DEFAULT);
+    world.setTraits(WALL, 0, world.traits(WALL, 0).withRestitution(0.5));
     Snapshot edited = world.snapshot();
     world.stopRecording();
     world.remove(CIRCLE, 0);
@@ -273,8 +284,8 @@ class RewindTest {
     Timeline past = world.record(2);
     TreeMap<Double, Snapshot> expected = new TreeMap<>();
     for (int i = 0; i < 100; i++) {
-      world.remove(CIRCLE, world.addCircle(80, 80, 1, 0, i));
-      world.remove(PEG, world.addPeg(5, i, 1));
+      world.remove(CIRCLE, world.addCircle(80, 80, 1, 0, i, Traits.DEFAULT));
+      world.remove(PEG, world.addPeg(5, i, 1, Traits.DEFAULT));
       expected.put(world.now(), world.snapshot());
       assertThat(world.step(0.125)).isTrue();
     }
@@ -284,7 +295,7 @@ class RewindTest {
         .forEach((t, then) -> assertThat(past.snapshot(t)).as("at %s", t).isEqualTo(then));
     world.restore(past.snapshot(past.start()));
     int ids = world.idLimit(CIRCLE);
-    assertThat(world.addCircle(80, 80, 1, 0, 0)).isEqualTo(ids).isGreaterThan(50);
+    assertThat(world.addCircle(80, 80, 1, 0, 0, Traits.DEFAULT)).isEqualTo(ids).isGreaterThan(50);
     assertThat(world.ids(CIRCLE)).hasSize(4);
     assertThat(Arrays.stream(world.ids(PEG)).max()).hasValue(0);
   }

@@ -88,13 +88,14 @@ class SceneBuilderTest {
     assertThatIllegalArgumentException().isThrownBy(() -> builder.mass(0));
     assertThatIllegalArgumentException().isThrownBy(() -> builder.gravity(1, INFINITY));
     assertThat(builder.build()).isEqualTo(two().build());
-    assertThat(builder.restitution(0.5).build().restitution(Kind.CIRCLE, 2)).isEqualTo(0.5);
+    assertThat(builder.restitution(0.5).build().traits(Kind.CIRCLE, 2).restitution())
+        .isEqualTo(0.5);
   }
 
   @ParameterizedTest
   @ValueSource(doubles = {0x1p-500, 1, 12.5, 0x1p500, Double.POSITIVE_INFINITY})
   void takesMassesWithinTheirLimits(double mass) {
-    assertThat(two().mass(mass).build().mass(2)).isEqualTo(mass);
+    assertThat(two().mass(mass).build().traits(Kind.CIRCLE, 2).mass()).isEqualTo(mass);
   }
 
   @ParameterizedTest

@@ -19,19 +19,23 @@ public final class SceneParts {
             b ->
                 builder
                     .bounds(b.xmin(), b.ymin(), b.xmax(), b.ymax())
-                    .restitution(scene.restitution(Kind.WALL, 0)));
+                    .restitution(scene.traits(Kind.WALL, 0).restitution()));
     for (int i : lines) {
       Line l = scene.line(i);
-      builder.line(l.ax(), l.ay(), l.bx(), l.by()).restitution(scene.restitution(Kind.LINE, i));
+      builder
+          .line(l.ax(), l.ay(), l.bx(), l.by())
+          .restitution(scene.traits(Kind.LINE, i).restitution());
     }
     for (int i : pegs) {
       Circle p = scene.peg(i);
-      builder.peg(p.x(), p.y(), p.radius()).restitution(scene.restitution(Kind.PEG, i));
+      builder.peg(p.x(), p.y(), p.radius()).restitution(scene.traits(Kind.PEG, i).restitution());
     }
     for (int i : circles) {
       Circle c = scene.circle(i);
       Vec2 v = scene.velocity(i);
-      builder.circle(c.x(), c.y(), c.radius(), v.x(), v.y()).mass(scene.mass(i));
+      builder
+          .circle(c.x(), c.y(), c.radius(), v.x(), v.y())
+          .mass(scene.traits(Kind.CIRCLE, i).mass());
     }
     return builder.build();
   }

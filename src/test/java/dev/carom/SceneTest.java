@@ -60,7 +60,7 @@ class SceneTest {
   @Test
   void gravityIsNoThing() {
     Scene scene = Scene.builder().peg(1, 2, 3).gravity(0, 1).restitution(0.5).build();
-    assertThat(scene.restitution(Kind.PEG, 0)).isEqualTo(0.5);
+    assertThat(scene.traits(Kind.PEG, 0).restitution()).isEqualTo(0.5);
     assertThat(scene)
         .hasToString("Scene[circles=0, lines=0, pegs=1, bounds=none, gravity=Vec2[x=0.0, y=1.0]]");
   }
@@ -68,15 +68,15 @@ class SceneTest {
   @Test
   void restitutionAndMassBelongToTheThingAddedLast() {
     Scene scene = full().build();
-    assertThat(scene.restitution(Kind.WALL, 0)).isEqualTo(0.5);
-    assertThat(scene.restitution(Kind.LINE, 0)).isEqualTo(1);
-    assertThat(scene.restitution(Kind.LINE, 1)).isEqualTo(0.25);
-    assertThat(scene.restitution(Kind.PEG, 0)).isEqualTo(1.5);
-    assertThat(scene.restitution(Kind.PEG, 1)).isEqualTo(1);
-    assertThat(scene.restitution(Kind.CIRCLE, 0)).isZero();
-    assertThat(scene.restitution(Kind.CIRCLE, 1)).isEqualTo(1);
-    assertThat(scene.mass(0)).isEqualTo(56);
-    assertThat(scene.mass(1)).isEqualTo(1);
+    assertThat(scene.traits(Kind.WALL, 0).restitution()).isEqualTo(0.5);
+    assertThat(scene.traits(Kind.LINE, 0).restitution()).isEqualTo(1);
+    assertThat(scene.traits(Kind.LINE, 1).restitution()).isEqualTo(0.25);
+    assertThat(scene.traits(Kind.PEG, 0).restitution()).isEqualTo(1.5);
+    assertThat(scene.traits(Kind.PEG, 1).restitution()).isEqualTo(1);
+    assertThat(scene.traits(Kind.CIRCLE, 0).restitution()).isZero();
+    assertThat(scene.traits(Kind.CIRCLE, 1).restitution()).isEqualTo(1);
+    assertThat(scene.traits(Kind.CIRCLE, 0).mass()).isEqualTo(56);
+    assertThat(scene.traits(Kind.CIRCLE, 1).mass()).isEqualTo(1);
   }
 
   @Test
@@ -84,7 +84,7 @@ class SceneTest {
     Scene scene = Scene.builder().build();
     assertThat(scene.bounds()).isEmpty();
     assertThatExceptionOfType(IndexOutOfBoundsException.class)
-        .isThrownBy(() -> scene.restitution(Kind.WALL, 0))
+        .isThrownBy(() -> scene.traits(Kind.WALL, 0).restitution())
         .withMessage("wall 0 does not exist: the scene has none of them");
     assertThat(scene.circleCount() + scene.lineCount() + scene.pegCount()).isZero();
     assertThat(scene).hasToString("Scene[circles=0, lines=0, pegs=0, bounds=none]");
@@ -99,7 +99,7 @@ class SceneTest {
         .hasToString(
             "Scene[circles=1, lines=1, pegs=0,"
                 + " bounds=Bounds[xmin=0.0, ymin=0.0, xmax=800.0, ymax=600.0]]");
-    assertThat(scene.restitution(Kind.LINE, 0)).isEqualTo(0.9);
+    assertThat(scene.traits(Kind.LINE, 0).restitution()).isEqualTo(0.9);
   }
 
   static Stream<Arguments> lookups() {
@@ -107,16 +107,16 @@ class SceneTest {
     return Stream.of(
         lookup("circle", scene::circle),
         lookup("circle", scene::velocity),
-        lookup("circle", scene::mass),
-        lookup("circle", i -> scene.restitution(Kind.CIRCLE, i)),
-        lookup("circle", i -> scene.response(Kind.CIRCLE, i)),
+        lookup("circle", i -> scene.traits(Kind.CIRCLE, i).mass()),
+        lookup("circle", i -> scene.traits(Kind.CIRCLE, i).restitution()),
+        lookup("circle", i -> scene.traits(Kind.CIRCLE, i).response()),
         lookup("line", scene::line),
-        lookup("line", i -> scene.restitution(Kind.LINE, i)),
-        lookup("line", i -> scene.response(Kind.LINE, i)),
-        lookup("line", scene::oneWay),
+        lookup("line", i -> scene.traits(Kind.LINE, i).restitution()),
+        lookup("line", i -> scene.traits(Kind.LINE, i).response()),
+        lookup("line", i -> scene.traits(Kind.LINE, i).oneWay()),
         lookup("peg", scene::peg),
-        lookup("peg", i -> scene.restitution(Kind.PEG, i)),
-        lookup("peg", i -> scene.response(Kind.PEG, i)));
+        lookup("peg", i -> scene.traits(Kind.PEG, i).restitution()),
+        lookup("peg", i -> scene.traits(Kind.PEG, i).response()));
   }
 
   private static Arguments lookup(String kind, IntFunction<?> get) {

@@ -113,11 +113,11 @@ class SnapshotStreamTest {
     World world = new World(room().collide(collide).circle(50, 50, 5, 1, 2).build());
     int before = SnapshotBytes.of(world.snapshot()).length;
     for (int i = 0; i < 100; i++) {
-      world.remove(Kind.CIRCLE, world.addCircle(20, 20, 1, i, 3));
-      world.remove(Kind.LINE, world.addLine(0, i, 5, i));
-      world.remove(Kind.PEG, world.addPeg(i, 0, 1));
+      world.remove(Kind.CIRCLE, world.addCircle(20, 20, 1, i, 3, Traits.DEFAULT));
+      world.remove(Kind.LINE, world.addLine(0, i, 5, i, Traits.DEFAULT));
+      world.remove(Kind.PEG, world.addPeg(i, 0, 1, Traits.DEFAULT));
     }
-    world.addCircle(20, 20, 1, 1, 3);
+    world.addCircle(20, 20, 1, 1, 3, Traits.DEFAULT);
     byte[] after = SnapshotBytes.of(world.snapshot());
     assertThat(after).hasSize(before + 200 + 105);
     assertThat(read(after)).isEqualTo(world.snapshot());
@@ -128,13 +128,14 @@ class SnapshotStreamTest {
   void aWorldGoesOnWithoutThoseThatWereRemoved(boolean collide) {
     World world = new World(RandomScenes.responses(new Random(5)).collide(collide).build());
     for (int i = 0; i < 20; i++) {
-      int id = world.addCircle(30 + i, 40, 3, 1, i);
+      int id = world.addCircle(30 + i, 40, 3, 1, i, Traits.DEFAULT);
       Run.step(world, 0.5);
       world.remove(Kind.CIRCLE, i % 3 == 0 ? i / 3 : id);
     }
     World other = new World(world.scene());
     other.restore(SnapshotBytes.copy(world.snapshot()));
-    assertThat(other.addCircle(0, 0, 3, 2, 1)).isEqualTo(world.addCircle(0, 0, 3, 2, 1));
+    assertThat(other.addCircle(0, 0, 3, 2, 1, Traits.DEFAULT))
+        .isEqualTo(world.addCircle(0, 0, 3, 2, 1, Traits.DEFAULT));
     for (int i = 0; i < 5; i++) {
       Run.step(world, 3);
       Run.step(other, 3);
@@ -160,7 +161,8 @@ class SnapshotStreamTest {
     world.remove(Kind.CIRCLE, 7);
     world.remove(Kind.LINE, 8);
     world.remove(Kind.PEG, 9);
-    world.setMass(6, Double.POSITIVE_INFINITY);
+    world.setTraits(
+        Kind.CIRCLE, 6, world.traits(Kind.CIRCLE, 6).withMass(Double.POSITIVE_INFINITY));
     Run.step(world, 1);
     Snapshot two = world.snapshot();
     ByteArrayOutputStream out = new ByteArrayOutputStream();
@@ -211,35 +213,35 @@ class SnapshotStreamTest {
     World other = new World(world.scene());
     other.restore(SnapshotBytes.copy(world.snapshot()));
     assertThat(other.snapshot()).isEqualTo(world.snapshot());
-    assertThat(other.response(Kind.WALL, 0)).isEqualTo(Response.HALT);
-    assertThat(other.oneWay(0)).isTrue();
-    assertThat(other.response(Kind.PEG, 0)).isEqualTo(Response.SENSOR);
-    assertThat(other.response(Kind.CIRCLE, 1)).isEqualTo(Response.SENSOR);
+    assertThat(other.traits(Kind.WALL, 0).response()).isEqualTo(Response.HALT);
+    assertThat(other.traits(Kind.LINE, 0).oneWay()).isTrue();
+    assertThat(other.traits(Kind.PEG, 0).response()).isEqualTo(Response.SENSOR);
+    assertThat(other.traits(Kind.CIRCLE, 1).response()).isEqualTo(Response.SENSOR);
   }
 
   /** Eight bytes for each thing of a kind, once one of them has a filter of its own. */
   @Test
   void filtersAreKept() {
     World world = new World(room().line(10, 20, 30, 40).line(0, 0, 1, 1).peg(50, 50, 5).build());
-    world.addCircle(70, 70, 3, 1, -2);
-    world.addCircle(20, 80, 3, 1, -2);
+    world.addCircle(70, 70, 3, 1, -2, Traits.DEFAULT);
+    world.addCircle(20, 80, 3, 1, -2, Traits.DEFAULT);
     int plain = SnapshotBytes.of(world.snapshot()).length;
-    world.setFilter(Kind.WALL, 0, 7, 6);
+    world.setTraits(Kind.WALL, 0, world.traits(Kind.WALL, 0).withFilter(new Filter(7, 6)));
     assertThat(SnapshotBytes.of(world.snapshot())).hasSize(plain);
-    world.setFilter(Kind.LINE, 1, 2, -1);
+    world.setTraits(Kind.LINE, 1, world.traits(Kind.LINE, 1).withFilter(new Filter(2, -1)));
     assertThat(SnapshotBytes.of(world.snapshot())).hasSize(plain + 16);
-    world.setFilter(Kind.CIRCLE, 0, 1, 4);
+    world.setTraits(Kind.CIRCLE, 0, world.traits(Kind.CIRCLE, 0).withFilter(new Filter(1, 4)));
     assertThat(SnapshotBytes.of(world.snapshot())).hasSize(plain + 32);
     World other = new World(world.scene());
     other.restore(SnapshotBytes.copy(world.snapshot()));
     assertThat(other.snapshot()).isEqualTo(world.snapshot());
-    assertThat(other.category(Kind.WALL, 3)).isEqualTo(7);
-    assertThat(other.mask(Kind.WALL, 3)).isEqualTo(6);
-    assertThat(other.category(Kind.LINE, 0)).isEqualTo(1);
-    assertThat(other.category(Kind.LINE, 1)).isEqualTo(2);
-    assertThat(other.mask(Kind.PEG, 0)).isEqualTo(-1);
-    assertThat(other.mask(Kind.CIRCLE, 0)).isEqualTo(4);
-    assertThat(other.mask(Kind.CIRCLE, 1)).isEqualTo(-1);
+    assertThat(other.traits(Kind.WALL, 3).filter().category()).isEqualTo(7);
+    assertThat(other.traits(Kind.WALL, 3).filter().mask()).isEqualTo(6);
+    assertThat(other.traits(Kind.LINE, 0).filter().category()).isEqualTo(1);
+    assertThat(other.traits(Kind.LINE, 1).filter().category()).isEqualTo(2);
+    assertThat(other.traits(Kind.PEG, 0).filter().mask()).isEqualTo(-1);
+    assertThat(other.traits(Kind.CIRCLE, 0).filter().mask()).isEqualTo(4);
+    assertThat(other.traits(Kind.CIRCLE, 1).filter().mask()).isEqualTo(-1);
   }
 
   @Test
@@ -390,7 +392,7 @@ class SnapshotStreamTest {
     assertThat(SnapshotBytes.of(read)).isEqualTo(bytes);
     World world = new World(Scene.builder().bounds(0, 0, 100, 100).build());
     world.restore(read);
-    assertThat(world.addCircle(50, 20, 4, 1, 1)).isEqualTo(1_000_000_000);
+    assertThat(world.addCircle(50, 20, 4, 1, 1, Traits.DEFAULT)).isEqualTo(1_000_000_000);
     Run.step(world, 1);
     assertThat(world.x(1_000_000_000)).isEqualTo(51);
   }

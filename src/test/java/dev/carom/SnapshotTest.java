@@ -40,28 +40,28 @@ class SnapshotTest {
         w -> w.setVelocity(0, 4, 1), // the same one: a new flight begins
         w -> w.setPosition(1, 80, 50),
         w -> w.setRadius(1, 2.5),
-        w -> w.setMass(1, 2),
-        w -> w.setRestitution(CIRCLE, 1, 0.5),
-        w -> w.setRestitution(WALL, 2, 0.5),
-        w -> w.setRestitution(LINE, 1, 0.5),
-        w -> w.setRestitution(PEG, 0, 0.5),
-        w -> w.setResponse(CIRCLE, 1, Response.HALT),
-        w -> w.setResponse(WALL, 1, Response.HALT),
-        w -> w.setResponse(LINE, 1, Response.HALT),
-        w -> w.setResponse(PEG, 0, Response.SENSOR),
-        w -> w.setFilter(CIRCLE, 1, 2, 3),
-        w -> w.setFilter(WALL, 1, 2, 3),
-        w -> w.setFilter(LINE, 1, 2, 3),
-        w -> w.setFilter(PEG, 0, 2, 3),
+        w -> w.setTraits(Kind.CIRCLE, 1, w.traits(Kind.CIRCLE, 1).withMass(2)),
+        w -> w.setTraits(CIRCLE, 1, w.traits(CIRCLE, 1).withRestitution(0.5)),
+        w -> w.setTraits(WALL, 2, w.traits(WALL, 2).withRestitution(0.5)),
+        w -> w.setTraits(LINE, 1, w.traits(LINE, 1).withRestitution(0.5)),
+        w -> w.setTraits(PEG, 0, w.traits(PEG, 0).withRestitution(0.5)),
+        w -> w.setTraits(CIRCLE, 1, w.traits(CIRCLE, 1).withResponse(Response.HALT)),
+        w -> w.setTraits(WALL, 1, w.traits(WALL, 1).withResponse(Response.HALT)),
+        w -> w.setTraits(LINE, 1, w.traits(LINE, 1).withResponse(Response.HALT)),
+        w -> w.setTraits(PEG, 0, w.traits(PEG, 0).withResponse(Response.SENSOR)),
+        w -> w.setTraits(CIRCLE, 1, w.traits(CIRCLE, 1).withFilter(new Filter(2, 3))),
+        w -> w.setTraits(WALL, 1, w.traits(WALL, 1).withFilter(new Filter(2, 3))),
+        w -> w.setTraits(LINE, 1, w.traits(LINE, 1).withFilter(new Filter(2, 3))),
+        w -> w.setTraits(PEG, 0, w.traits(PEG, 0).withFilter(new Filter(2, 3))),
         w -> w.setVelocity(LINE, 1, 0, 1),
         w -> w.setVelocity(PEG, 0, 1, 0),
-        w -> w.setOneWay(0, false),
-        w -> w.setOneWay(1, true),
+        w -> w.setTraits(Kind.LINE, 0, w.traits(Kind.LINE, 0).withOneWay(false)),
+        w -> w.setTraits(Kind.LINE, 1, w.traits(Kind.LINE, 1).withOneWay(true)),
         w -> w.moveLine(1, 60, 20, 80, 31),
         w -> w.movePeg(0, 50, 70, 4),
-        w -> w.addLine(1, 1, 2, 2),
-        w -> w.addPeg(1, 1, 0),
-        w -> w.addCircle(5, 5, 1, 0, 0),
+        w -> w.addLine(1, 1, 2, 2, Traits.DEFAULT),
+        w -> w.addPeg(1, 1, 0, Traits.DEFAULT),
+        w -> w.addCircle(5, 5, 1, 0, 0, Traits.DEFAULT),
         w -> w.remove(LINE, 1),
         w -> w.remove(PEG, 0),
         w -> w.remove(CIRCLE, 1),
@@ -99,9 +99,9 @@ class SnapshotTest {
   void whoWasRemovedDetermineNothing(boolean collide) {
     World one = world(collide);
     World two = world(collide);
-    one.remove(CIRCLE, one.addCircle(80, 15, 2, 3, 4));
-    int id = two.addCircle(80, 15, 2, -5, 1);
-    two.setMass(id, 7);
+    one.remove(CIRCLE, one.addCircle(80, 15, 2, 3, 4, Traits.DEFAULT));
+    int id = two.addCircle(80, 15, 2, -5, 1, Traits.DEFAULT);
+    two.setTraits(Kind.CIRCLE, id, two.traits(Kind.CIRCLE, id).withMass(7));
     two.remove(CIRCLE, id);
     assertThat(one.snapshot()).isEqualTo(two.snapshot()).hasSameHashCodeAs(two.snapshot());
   }
@@ -112,7 +112,7 @@ class SnapshotTest {
     World one = world(collide);
     Run.step(one, 7);
     one.setVelocity(0, 5, -3);
-    one.addCircle(50, 20, 2, -1, 3);
+    one.addCircle(50, 20, 2, -1, 3, Traits.DEFAULT);
     one.remove(LINE, 0);
     Run.step(one, 3);
     Snapshot snapshot = one.snapshot();

@@ -111,8 +111,8 @@ final class ThreeWorlds {
     double radius = random.nextInt(3) == 0 ? 0 : world.radius(id);
     Circle circle = new Circle(world.x(id), world.y(id), radius);
     Vec2 v = new Vec2(world.vx(id), world.vy(id));
-    int category = world.category(Kind.CIRCLE, id);
-    int mask = world.mask(Kind.CIRCLE, id);
+    int category = world.traits(Kind.CIRCLE, id).filter().category();
+    int mask = world.traits(Kind.CIRCLE, id).filter().mask();
     double maxTime = Double.POSITIVE_INFINITY;
     Optional<Impact> first = world.cast(circle, v, maxTime, category, mask);
     assertThat(twin.cast(circle, v, maxTime, category, mask)).isEqualTo(first);

@@ -203,7 +203,7 @@ class TimelineTest {
     for (int i = 0; i < rounds; i++) {
       Run.step(world, 1);
       world.remove(CIRCLE, i);
-      world.addCircle(5 + 10 * (i % 10), 2, 1, 0, -1);
+      world.addCircle(5 + 10 * (i % 10), 2, 1, 0, -1, Traits.DEFAULT);
     }
     return world;
   }
@@ -264,7 +264,7 @@ class TimelineTest {
     Run.step(world, 1);
     world.remove(Kind.LINE, 0);
     for (int i = 1; i <= 10; i++) {
-      int line = world.addLine(0, i, 1, i);
+      int line = world.addLine(0, i, 1, i, Traits.DEFAULT);
       Run.step(world, 1);
       world.remove(Kind.LINE, line);
     }
@@ -293,7 +293,7 @@ class TimelineTest {
     int rounds = 500_000;
     long before = usedMemory();
     for (int i = 0; i < rounds; i++) {
-      world.remove(Kind.LINE, world.addLine(0, 1, 2, 3));
+      world.remove(Kind.LINE, world.addLine(0, 1, 2, 3, Traits.DEFAULT));
       Run.step(world, 1);
     }
     assertThat(usedMemory() - before).isLessThan(120L * rounds);

@@ -100,13 +100,14 @@ class UncertaintyEditsTest {
   /** A peg that a circle on the way misses by half of its error. */
   private int addPegBeside() {
     double distance = 1 + RADIUS + error / 2;
-    return world.addPeg(besideX(distance), besideY(distance), 1);
+    return world.addPeg(besideX(distance), besideY(distance), 1, Traits.DEFAULT);
   }
 
   /** A line across that ends as near. */
   private int addLineBeside() {
     double near = RADIUS + error / 2;
-    return world.addLine(besideX(near), besideY(near), besideX(near + 1), besideY(near + 1));
+    return world.addLine(
+        besideX(near), besideY(near), besideX(near + 1), besideY(near + 1), Traits.DEFAULT);
   }
 
   @Test
@@ -154,27 +155,28 @@ class UncertaintyEditsTest {
   @Test
   void filtersCount() {
     int peg = addPegBeside();
-    world.setFilter(Kind.PEG, peg, 2, 2);
+    world.setTraits(Kind.PEG, peg, world.traits(Kind.PEG, peg).withFilter(new Filter(2, 2)));
     assertThat(boundBehind()).isFinite();
   }
 
   @Test
   void filtersOfTheCircleCount() {
     addPegBeside();
-    world.setFilter(Kind.CIRCLE, id, 2, 2);
+    world.setTraits(Kind.CIRCLE, id, world.traits(Kind.CIRCLE, id).withFilter(new Filter(2, 2)));
     assertThat(boundBehind()).isFinite();
   }
 
   @Test
   void aSensorIsNotHit() {
-    world.setResponse(Kind.PEG, addPegBeside(), Response.SENSOR);
+    int peg = addPegBeside();
+    world.setTraits(Kind.PEG, peg, Traits.DEFAULT.withResponse(Response.SENSOR));
     assertThat(boundBehind()).isFinite();
   }
 
   @Test
   void theRadiusOfTheCircleCounts() {
     double distance = 1 + 1.25 * RADIUS + error / 2;
-    world.addPeg(besideX(distance), besideY(distance), 1);
+    world.addPeg(besideX(distance), besideY(distance), 1, Traits.DEFAULT);
     world.setRadius(id, 1.25 * RADIUS);
     assertThat(boundBehind()).isInfinite();
   }
@@ -184,7 +186,7 @@ class UncertaintyEditsTest {
   void eachOfManyAddedPegsMayBeHit() {
     assertThat(boundBehind()).isFinite();
     for (int i = 0; i < 100; i++) {
-      world.addPeg(300 + 3 * i, 300, 1);
+      world.addPeg(300 + 3 * i, 300, 1, Traits.DEFAULT);
     }
     addPegBeside();
     assertThat(uncertainty.bound(id)).isInfinite();

@@ -127,7 +127,7 @@ class UncertaintyTest {
   void anAddedCircleIsUnknownUntilRestart() {
     World world = new World(billiard().build());
     Uncertainty uncertainty = new Uncertainty(world, 1);
-    int id = world.addCircle(20, 80, 2, 2, 1);
+    int id = world.addCircle(20, 80, 2, 2, 1, Traits.DEFAULT);
     advance(world, uncertainty, 50);
     assertThat(uncertainty.bound(id)).isInfinite();
     assertThat(uncertainty.lostAt(id)).isZero();

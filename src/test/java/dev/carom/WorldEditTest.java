@@ -75,15 +75,18 @@ class WorldEditTest {
     assertTraits(world, LINE, 0, 0.25, Response.BOUNCE);
     assertTraits(world, PEG, 0, 1, Response.SENSOR);
     assertTraits(world, CIRCLE, 0, 2, Response.BOUNCE);
-    assertThat(world.oneWay(0)).isTrue();
+    assertThat(world.traits(Kind.LINE, 0).oneWay()).isTrue();
 
     for (Kind kind : Kind.values()) {
-      world.setRestitution(kind, 0, 0.75 + kind.ordinal());
-      world.setResponse(kind, 0, kind == PEG ? Response.BOUNCE : Response.HALT);
+      world.setTraits(kind, 0, world.traits(kind, 0).withRestitution(0.75 + kind.ordinal()));
+      world.setTraits(
+          kind,
+          0,
+          world.traits(kind, 0).withResponse(kind == PEG ? Response.BOUNCE : Response.HALT));
     }
-    world.setOneWay(0, false);
-    assertThat(world.addLine(1, 1, 2, 2)).isEqualTo(1);
-    assertThat(world.addCircle(20, 20, 5, 0, 0)).isEqualTo(1);
+    world.setTraits(Kind.LINE, 0, world.traits(Kind.LINE, 0).withOneWay(false));
+    assertThat(world.addLine(1, 1, 2, 2, Traits.DEFAULT)).isEqualTo(1);
+    assertThat(world.addCircle(20, 20, 5, 0, 0, Traits.DEFAULT)).isEqualTo(1);
     Snapshot edited = world.snapshot();
     Run.step(world, 100);
     World other = world(box().collide(collide));
@@ -95,15 +98,16 @@ class WorldEditTest {
       assertTraits(each, CIRCLE, 0, 3.75, Response.HALT);
       assertTraits(each, LINE, 1, 1, Response.BOUNCE);
       assertTraits(each, CIRCLE, 1, 1, Response.BOUNCE);
-      assertThat(each.oneWay(0) || each.oneWay(1)).isFalse();
+      assertThat(each.traits(Kind.LINE, 0).oneWay() || each.traits(Kind.LINE, 1).oneWay())
+          .isFalse();
     }
-    assertThat(world.scene().restitution(LINE, 0)).isEqualTo(0.25);
-    assertThat(world.scene().oneWay(0)).isTrue();
+    assertThat(world.scene().traits(LINE, 0).restitution()).isEqualTo(0.25);
+    assertThat(world.scene().traits(Kind.LINE, 0).oneWay()).isTrue();
   }
 
   private static void assertTraits(World world, Kind kind, int id, double e, Response r) {
-    assertThat(world.restitution(kind, id)).isEqualTo(e);
-    assertThat(world.response(kind, id)).isEqualTo(r);
+    assertThat(world.traits(kind, id).restitution()).isEqualTo(e);
+    assertThat(world.traits(kind, id).response()).isEqualTo(r);
   }
 
   /** More than a few lines, and more than are looked at beside a grid: it is made later. */
@@ -123,7 +127,7 @@ class WorldEditTest {
         double bx = x + 10 * random.nextGaussian();
         double by = y + 10 * random.nextGaussian();
         builder.line(x, y, bx, by);
-        assertThat(world.addLine(x, y, bx, by)).isEqualTo(i);
+        assertThat(world.addLine(x, y, bx, by, Traits.DEFAULT)).isEqualTo(i);
         if (i % 7 == 0) {
           Run.step(world, 0); // impacts of now, in both orders the same: nothing overlaps twice
         }
@@ -206,9 +210,12 @@ class WorldEditTest {
       assertHarmless(collide, v, w -> w.setVelocity(0, 0, 0));
       assertHarmless(collide, v, w -> w.setRadius(0, S / 2));
       assertHarmless(collide, v, w -> w.setRadius(0, 7 * S));
-      assertHarmless(collide, v, w -> w.setResponse(CIRCLE, 0, Response.SENSOR));
-      assertHarmless(collide, v, w -> w.addLine(0, 0, S, S));
-      assertHarmless(collide, v, w -> w.addCircle(0, 0, S, S, S));
+      assertHarmless(
+          collide,
+          v,
+          w -> w.setTraits(CIRCLE, 0, w.traits(CIRCLE, 0).withResponse(Response.SENSOR)));
+      assertHarmless(collide, v, w -> w.addLine(0, 0, S, S, Traits.DEFAULT));
+      assertHarmless(collide, v, w -> w.addCircle(0, 0, S, S, S, Traits.DEFAULT));
       assertHarmless(
           collide,
           v,

@@ -66,8 +66,8 @@ class WorldQueriesTest {
     double fallen = 0.5 * 4 * 4;
     for (int i = 0; i < 2; i++) {
       boolean falls = (i == 0) == isFallingFirst;
-      int id = world.addCircle(5, falls ? falling + fallen : resting, 1, 0, 0);
-      world.setMass(id, falls ? 1 : NEVER);
+      int id = world.addCircle(5, falls ? falling + fallen : resting, 1, 0, 0, Traits.DEFAULT);
+      world.setTraits(Kind.CIRCLE, id, world.traits(Kind.CIRCLE, id).withMass(falls ? 1 : NEVER));
     }
     Impact impact = world.cast(new Circle(0, 0, 0), new Vec2(1, 0), NEVER).orElseThrow();
     assertThat(impact.time()).isEqualTo(4);
@@ -334,7 +334,7 @@ class WorldQueriesTest {
     askOften(world);
     assertThat(world.nearest(Kind.PEG, 4, 4)).isZero();
     assertThat(hit(world, 5)).isEqualTo(-1);
-    int added = world.addPeg(5, 5, 2);
+    int added = world.addPeg(5, 5, 2, Traits.DEFAULT);
     assertThat(world.nearest(Kind.PEG, 4, 4)).isEqualTo(added);
     assertThat(hit(world, 5)).isEqualTo(added);
     world.movePeg(added, 15, 5, 2);

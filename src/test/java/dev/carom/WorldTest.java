@@ -402,7 +402,7 @@ class WorldTest {
     SceneBuilder scene = Scene.builder().bounds(0, 0, 9, 8).collide(true).line(1, 2, 3, 4);
     World world = new World(scene.peg(5, 5, 1).peg(6, 5, 1).circle(7, 2, 1, 2, 0).build());
     world.remove(Kind.PEG, 0);
-    world.addCircle(2, 7, 0.5, 0, 0);
+    world.addCircle(2, 7, 0.5, 0, 0, Traits.DEFAULT);
     Run.step(world, 1.5);
     assertThat(world)
         .hasToString(

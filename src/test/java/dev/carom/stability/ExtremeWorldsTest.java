@@ -11,6 +11,7 @@ import dev.carom.Scene;
 import dev.carom.SceneBuilder;
 import dev.carom.Snapshot;
 import dev.carom.Timeline;
+import dev.carom.Traits;
 import dev.carom.Vec2;
 import dev.carom.World;
 import dev.carom.WorldsOfBudget;
@@ -94,9 +95,9 @@ class ExtremeWorldsTest {
         case 0 -> world.setVelocity(0, e.any(), e.any());
         case 1 -> world.setPosition(1, e.any(), e.any());
         case 2 -> world.setRadius(2, e.any());
-        case 3 -> world.addLine(e.any(), e.any(), e.any(), e.any());
-        case 4 -> world.addPeg(e.any(), e.any(), e.any());
-        case 5 -> world.addCircle(e.any(), e.any(), e.size(), e.any(), e.any());
+        case 3 -> world.addLine(e.any(), e.any(), e.any(), e.any(), Traits.DEFAULT);
+        case 4 -> world.addPeg(e.any(), e.any(), e.any(), Traits.DEFAULT);
+        case 5 -> world.addCircle(e.any(), e.any(), e.size(), e.any(), e.any(), Traits.DEFAULT);
         case 6 -> {
           Snapshot snapshot = world.snapshot();
           world.step(0);

@@ -54,7 +54,7 @@ class InfiniteMassTest {
     World world = new World(scene.circle(10, 2, 1, -1, 0).mass(INFINITE).build());
     assertThat(world.advanceTo(8)).isTrue();
     assertThat(count(world.impacts(), Outcome.JAMMED)).isPositive();
-    world.setMass(1, 1);
+    world.setTraits(Kind.CIRCLE, 1, world.traits(Kind.CIRCLE, 1).withMass(1));
     assertThat(world.advanceTo(50)).isTrue();
     int meetings = 0;
     for (int i = 0; i < world.impacts().size(); i++) {

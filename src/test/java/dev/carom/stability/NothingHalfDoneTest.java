@@ -9,6 +9,7 @@ import dev.carom.Response;
 import dev.carom.Scene;
 import dev.carom.SceneBuilder;
 import dev.carom.Snapshot;
+import dev.carom.Traits;
 import dev.carom.World;
 import java.io.StringReader;
 import java.util.List;
@@ -44,14 +45,16 @@ class NothingHalfDoneTest {
             () -> world.setPosition(0, 8, NAN),
             () -> world.setVelocity(0, 8, NAN),
             () -> world.setRadius(0, 0),
-            () -> world.setMass(0, 0),
-            () -> world.setRestitution(Kind.LINE, 0, -1),
-            () -> world.setResponse(Kind.WALL, 0, Response.SENSOR),
+            () -> world.setTraits(Kind.CIRCLE, 0, world.traits(Kind.CIRCLE, 0).withMass(0)),
+            () -> world.setTraits(Kind.LINE, 0, world.traits(Kind.LINE, 0).withRestitution(-1)),
+            () ->
+                world.setTraits(
+                    Kind.WALL, 0, world.traits(Kind.WALL, 0).withResponse(Response.SENSOR)),
             () -> world.moveLine(0, 1, 1, 2, NAN),
             () -> world.movePeg(0, 1, 1, -1),
-            () -> world.addLine(1, 1, 2, 1e300),
-            () -> world.addPeg(1, NAN, 1),
-            () -> world.addCircle(1, 1, 1e-20, 1, 1),
+            () -> world.addLine(1, 1, 2, 1e300, Traits.DEFAULT),
+            () -> world.addPeg(1, NAN, 1, Traits.DEFAULT),
+            () -> world.addCircle(1, 1, 1e-20, 1, 1, Traits.DEFAULT),
             () -> world.remove(Kind.WALL, 0),
             () -> world.remove(Kind.LINE, 7),
             () -> world.record(-1),

@@ -71,9 +71,6 @@ public final class WorldScene {
     builder.line(line.ax(), line.ay(), line.bx(), line.by());
     keep(Kind.LINE, id);
     keepVelocity(Kind.LINE, id);
-    if (world.oneWay(id)) {
-      builder.oneWay();
-    }
   }
 
   private void peg(int id, Circle peg) {
@@ -86,15 +83,14 @@ public final class WorldScene {
     double x = world.x(id);
     double y = world.y(id);
     if (Double.isFinite(x) && Double.isFinite(y)) {
-      builder.circle(x, y, world.radius(id), world.vx(id), world.vy(id)).mass(world.mass(id));
+      builder.circle(x, y, world.radius(id), world.vx(id), world.vy(id));
       keep(Kind.CIRCLE, id);
     }
   }
 
   /** Gives the thing added last what the world's thing has. */
   private void keep(Kind kind, int id) {
-    builder.restitution(world.restitution(kind, id)).response(world.response(kind, id));
-    builder.filter(world.category(kind, id), world.mask(kind, id));
+    builder.traits(world.traits(kind, id));
   }
 
   private void keepVelocity(Kind kind, int id) {

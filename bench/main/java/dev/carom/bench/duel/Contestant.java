@@ -2,6 +2,7 @@
 package dev.carom.bench.duel;
 
 import dev.carom.Bounds;
+import dev.carom.Kind;
 import dev.carom.Scene;
 import dev.carom.Vec2;
 import dev.carom.bench.measures.SolidScene;
@@ -164,9 +165,9 @@ final class Contestant implements AutoCloseable {
     for (int i = 0; i < scene.circleCount(); i++) {
       double vx = states[STATE * i + 2];
       double vy = states[STATE * i + 3];
-      if (scene.mass(i) < Double.POSITIVE_INFINITY) {
+      if (scene.traits(Kind.CIRCLE, i).mass() < Double.POSITIVE_INFINITY) {
         double fall = fall(states[STATE * i], states[STATE * i + 1], i);
-        sum += scene.mass(i) * (vx * vx + vy * vy + 2 * fall);
+        sum += scene.traits(Kind.CIRCLE, i).mass() * (vx * vx + vy * vy + 2 * fall);
       }
     }
     return sum;

@@ -5,6 +5,7 @@ import dev.carom.Kind;
 import dev.carom.Response;
 import dev.carom.Scene;
 import dev.carom.SceneBuilder;
+import dev.carom.Traits;
 import dev.carom.Vec2;
 import dev.carom.World;
 import dev.carom.bench.charts.SceneDrawing;
@@ -88,8 +89,8 @@ public final class Plinko implements Example {
   public void frame() {
     if (frame++ % PAUSE == 0) {
       double x = from + 2 * random.nextDouble() - 1;
-      int ball = world.addCircle(x, HEIGHT - BALL - 1, BALL, 0, 0);
-      world.setRestitution(Kind.CIRCLE, ball, 0.5);
+      int ball = world.addCircle(x, HEIGHT - BALL - 1, BALL, 0, 0, Traits.DEFAULT);
+      world.setTraits(Kind.CIRCLE, ball, world.traits(Kind.CIRCLE, ball).withRestitution(0.5));
       dropped++;
     }
     Example.advance(world, 1, this::count);

@@ -21,12 +21,12 @@ public final class SceneCopy {
     Vec2 g = scene.gravity();
     SceneBuilder builder = bounds(scene).collide(scene.collide()).gravity(g.x(), g.y());
     for (int i = 0; i < scene.lineCount(); i++) {
-      line(builder, scene.line(i)).restitution(scene.restitution(Kind.LINE, i));
+      line(builder, scene.line(i)).restitution(scene.traits(Kind.LINE, i).restitution());
     }
     for (int i = 0; i < scene.pegCount(); i++) {
       Circle peg = scene.peg(i);
       builder.peg(peg.x(), peg.y(), peg.radius());
-      builder.restitution(scene.restitution(Kind.PEG, i));
+      builder.restitution(scene.traits(Kind.PEG, i).restitution());
     }
     return builder;
   }
@@ -40,7 +40,7 @@ public final class SceneCopy {
             b ->
                 builder
                     .bounds(b.xmin(), b.ymin(), b.xmax(), b.ymax())
-                    .restitution(scene.restitution(Kind.WALL, 0)));
+                    .restitution(scene.traits(Kind.WALL, 0).restitution()));
     return builder;
   }
 
@@ -69,7 +69,7 @@ public final class SceneCopy {
     double radius = scene.circle(i).radius();
     return builder
         .circle(center.x(), center.y(), radius, velocity.x(), velocity.y())
-        .restitution(scene.restitution(Kind.CIRCLE, i))
-        .mass(scene.mass(i));
+        .restitution(scene.traits(Kind.CIRCLE, i).restitution())
+        .mass(scene.traits(Kind.CIRCLE, i).mass());
   }
 }

@@ -58,16 +58,17 @@ final class Crossings {
         && !isSensor(i)
         && !isSensor(j)
         && Filters.meet(world, i, Kind.CIRCLE, j)
-        && Math.min(world.mass(i), world.mass(j)) < Double.POSITIVE_INFINITY;
+        && Math.min(world.traits(Kind.CIRCLE, i).mass(), world.traits(Kind.CIRCLE, j).mass())
+            < Double.POSITIVE_INFINITY;
   }
 
   /** Whether a circle moves like an obstacle: nothing stops it. */
   private boolean isMassive(Flight f) {
-    return world.mass(f.circle()) == Double.POSITIVE_INFINITY;
+    return world.traits(Kind.CIRCLE, f.circle()).mass() == Double.POSITIVE_INFINITY;
   }
 
   private boolean isSensor(int circle) {
-    return world.response(Kind.CIRCLE, circle) == Response.SENSOR;
+    return world.traits(Kind.CIRCLE, circle).response() == Response.SENSOR;
   }
 
   private void checkObstacles(Flight f) throws FindingException {
@@ -85,7 +86,7 @@ final class Crossings {
 
   /** Only where it is clear that the flight comes from the left; else nothing is demanded. */
   private void checkOneWay(Flight f, Solid line) throws FindingException {
-    if (!falls || world.mass(f.circle()) == Double.POSITIVE_INFINITY) {
+    if (!falls || world.traits(Kind.CIRCLE, f.circle()).mass() == Double.POSITIVE_INFINITY) {
       if (isLeft(f, line) && line.climb(f.vx(), f.vy()) < -0x1p-40 * rounding.fastest()) {
         check(f, line);
       }

@@ -3,6 +3,7 @@ package dev.carom.bench.fuzz;
 
 import dev.carom.Kind;
 import dev.carom.Snapshot;
+import dev.carom.Traits;
 import dev.carom.Vec2;
 import dev.carom.World;
 import java.util.Random;
@@ -46,10 +47,13 @@ final class Edits {
         world.setPosition(id, place.x(), place.y());
       }
       case 4 -> world.setRadius(circle(), numbers.radius());
-      case 5 -> world.setMass(circle(), numbers.mass());
+      case 5 -> {
+        int id = circle();
+        world.setTraits(Kind.CIRCLE, id, world.traits(Kind.CIRCLE, id).withMass(numbers.mass()));
+      }
       case 6 -> addCircle();
-      case 7 -> world.addLine(numbers.x(), numbers.y(), numbers.x(), numbers.y());
-      case 8 -> world.addPeg(numbers.x(), numbers.y(), numbers.pegRadius());
+      case 7 -> world.addLine(numbers.x(), numbers.y(), numbers.x(), numbers.y(), Traits.DEFAULT);
+      case 8 -> world.addPeg(numbers.x(), numbers.y(), numbers.pegRadius(), Traits.DEFAULT);
       case 9, 10 -> moveObstacle();
       case 11 -> remove();
       case 12 -> setRestitution();
@@ -77,7 +81,8 @@ final class Edits {
   private void addCircle() {
     if (world.circleCount() < MOST_CIRCLES) {
       Vec2 place = variation.place(numbers.x(), numbers.y());
-      world.addCircle(place.x(), place.y(), numbers.radius(), numbers.speed(), numbers.speed());
+      world.addCircle(
+          place.x(), place.y(), numbers.radius(), numbers.speed(), numbers.speed(), Traits.DEFAULT);
     }
   }
 
@@ -103,7 +108,7 @@ final class Edits {
     Kind kind = Kind.values()[random.nextInt(4)];
     int id = some(kind);
     if (id >= 0) {
-      world.setRestitution(kind, id, draws.restitution());
+      world.setTraits(kind, id, world.traits(kind, id).withRestitution(draws.restitution()));
     }
   }
 
@@ -111,10 +116,11 @@ final class Edits {
     Kind kind = Kind.values()[random.nextInt(4)];
     int id = some(kind);
     if (id >= 0) {
-      world.setResponse(kind, id, draws.response(kind));
+      world.setTraits(kind, id, world.traits(kind, id).withResponse(draws.response(kind)));
     }
     if (id >= 0 && kind == Kind.LINE && draws.hasTraits()) {
-      world.setOneWay(id, random.nextInt(3) == 0);
+      world.setTraits(
+          Kind.LINE, id, world.traits(Kind.LINE, id).withOneWay(random.nextInt(3) == 0));
     }
   }
 }

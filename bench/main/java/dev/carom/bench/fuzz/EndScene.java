@@ -347,7 +347,7 @@ public final class EndScene {
   private boolean flip(World world) {
     double turn = random.nextBoolean() ? FLIP : -FLIP;
     for (int i : world.ids(Kind.CIRCLE)) {
-      if (world.mass(i) == INFINITE) {
+      if (world.traits(Kind.CIRCLE, i).mass() == INFINITE) {
         double x = world.x(i) / length - WIDTH / 2;
         double y = world.y(i) / length - HEIGHT / 2;
         world.setVelocity(i, -turn * y * speed, turn * x * speed);

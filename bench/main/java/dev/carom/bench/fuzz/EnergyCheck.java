@@ -136,7 +136,7 @@ final class EnergyCheck {
     }
     boolean collide = world.scene().collide();
     for (int id : world.ids(Kind.CIRCLE)) {
-      double mass = collide ? world.mass(id) : 1;
+      double mass = collide ? world.traits(Kind.CIRCLE, id).mass() : 1;
       if (mass < Double.POSITIVE_INFINITY) {
         double g = world.gravity().length() / unit;
         rises[collide ? 0 : id] += 2 * RISE * mass * g * world.radius(id) / unit;
@@ -160,8 +160,8 @@ final class EnergyCheck {
 
   private double restitution(int row) {
     ImpactLog log = world.impacts();
-    return world.restitution(Kind.CIRCLE, log.circle(row))
-        * world.restitution(log.kind(row), log.id(row));
+    return world.traits(Kind.CIRCLE, log.circle(row)).restitution()
+        * world.traits(log.kind(row), log.id(row)).restitution();
   }
 
   /** Whether one of two circles has infinite mass, which gives or takes any energy. */
@@ -177,7 +177,7 @@ final class EnergyCheck {
   }
 
   private boolean isInfinite(int id) {
-    return world.mass(id) == Double.POSITIVE_INFINITY;
+    return world.traits(Kind.CIRCLE, id).mass() == Double.POSITIVE_INFINITY;
   }
 
   /** In the session's own unit of speed, so that squares stay in range; twice the usual ones. */
@@ -187,7 +187,7 @@ final class EnergyCheck {
     for (int id : world.ids(Kind.CIRCLE)) {
       if (!collide || !isInfinite(id)) {
         int i = collide ? 0 : id;
-        double mass = collide ? world.mass(id) : 1;
+        double mass = collide ? world.traits(Kind.CIRCLE, id).mass() : 1;
         double vx = world.vx(id) / unit;
         double vy = world.vy(id) / unit;
         double motion = vx * vx + vy * vy;

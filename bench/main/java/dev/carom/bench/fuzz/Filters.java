@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 package dev.carom.bench.fuzz;
 
+import dev.carom.Filter;
 import dev.carom.Kind;
 import dev.carom.SceneBuilder;
 import dev.carom.World;
@@ -23,7 +24,7 @@ final class Filters {
   /** Draws a filter for the thing added last, or leaves it the default. */
   void draw(SceneBuilder builder) {
     if (used && random.nextBoolean()) {
-      builder.filter(bits(), bits());
+      builder.filter(new Filter(bits(), bits()));
     }
   }
 
@@ -37,15 +38,15 @@ final class Filters {
     Kind kind = Kind.values()[random.nextInt(4)];
     int[] ids = world.ids(kind);
     if (used && ids.length > 0 && random.nextInt(4) == 0) {
-      world.setFilter(kind, ids[random.nextInt(ids.length)], bits(), bits());
+      int id = ids[random.nextInt(ids.length)];
+      Filter filter = new Filter(bits(), bits());
+      world.setTraits(kind, id, world.traits(kind, id).withFilter(filter));
     }
   }
 
   /** Whether a circle can meet something, which may be a circle. */
   static boolean meet(World world, int circle, Kind kind, int id) {
-    int category = world.category(Kind.CIRCLE, circle);
-    int mask = world.mask(Kind.CIRCLE, circle);
-    return (category & world.mask(kind, id)) != 0 && (mask & world.category(kind, id)) != 0;
+    return world.traits(Kind.CIRCLE, circle).filter().meets(world.traits(kind, id).filter());
   }
 
   /** Whether the scene has bounds that a circle can meet. */

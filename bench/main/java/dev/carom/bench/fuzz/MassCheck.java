@@ -53,7 +53,8 @@ final class MassCheck {
   }
 
   private boolean isInfinite(int id) {
-    return world.contains(Kind.CIRCLE, id) && world.mass(id) == Double.POSITIVE_INFINITY;
+    return world.contains(Kind.CIRCLE, id)
+        && world.traits(Kind.CIRCLE, id).mass() == Double.POSITIVE_INFINITY;
   }
 
   /** Whether two circles may overlap in a part of their flights: one crushed the other. */

@@ -26,7 +26,7 @@ record Solid(String name, Line axis, double radius, Vec2 velocity, boolean oneWa
       if (isSolid(world, f, Kind.LINE, id)) {
         Vec2 u = world.velocity(Kind.LINE, id);
         Line axis = before(world.line(id), u, ago);
-        solids.add(new Solid("line " + id, axis, 0, u, world.oneWay(id)));
+        solids.add(new Solid("line " + id, axis, 0, u, world.traits(Kind.LINE, id).oneWay()));
       }
     }
     for (int id : world.ids(Kind.PEG)) {
@@ -41,7 +41,8 @@ record Solid(String name, Line axis, double radius, Vec2 velocity, boolean oneWa
   }
 
   private static boolean isSolid(World world, Flight f, Kind kind, int id) {
-    return world.response(kind, id) != Response.SENSOR && Filters.meet(world, f.circle(), kind, id);
+    return world.traits(kind, id).response() != Response.SENSOR
+        && Filters.meet(world, f.circle(), kind, id);
   }
 
   private static Line before(Line now, Vec2 u, double ago) {

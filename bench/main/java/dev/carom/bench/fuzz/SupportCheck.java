@@ -70,7 +70,9 @@ final class SupportCheck {
     if (Math.abs(share) > slack * (lack + Math.hypot(f.ax(), f.ay()))) {
       throw new FindingException("%s does not fall by a part of %s".formatted(f, gravity));
     }
-    if (lack > slack && world.mass(f.circle()) < Double.POSITIVE_INFINITY && !isCarried(f, all)) {
+    if (lack > slack
+        && world.traits(Kind.CIRCLE, f.circle()).mass() < Double.POSITIVE_INFINITY
+        && !isCarried(f, all)) {
       throw new FindingException("nothing carries %s".formatted(f));
     }
   }
@@ -158,7 +160,7 @@ final class SupportCheck {
   }
 
   private boolean isSensor(int circle) {
-    return world.response(Kind.CIRCLE, circle) == Response.SENSOR;
+    return world.traits(Kind.CIRCLE, circle).response() == Response.SENSOR;
   }
 
   /** Notes the normal of something at a given offset, if that is near. */

@@ -49,7 +49,7 @@ public record GasReplay(long nanos, long collisions, long wallImpacts, double en
     for (int i = 0; i < world.circleCount(); i++) {
       double vx = world.vx(i);
       double vy = world.vy(i);
-      energy += scene.mass(i) * (vx * vx + vy * vy) / 2;
+      energy += scene.traits(Kind.CIRCLE, i).mass() * (vx * vx + vy * vy) / 2;
     }
     return energy;
   }

@@ -2,6 +2,7 @@
 package dev.carom.bench.measures;
 
 import dev.carom.Bounds;
+import dev.carom.Kind;
 import dev.carom.Scene;
 import dev.carom.bench.methods.Contender;
 import dev.carom.bench.results.Row;
@@ -64,7 +65,7 @@ record GasPart(String scene, Contender contender) implements Part {
     double energy = 0;
     for (int i = 0; i < run.circles(); i++) {
       double speed = run.speed(frame, i);
-      energy += scene.mass(i) * speed * speed / 2;
+      energy += scene.traits(Kind.CIRCLE, i).mass() * speed * speed / 2;
     }
     return energy;
   }

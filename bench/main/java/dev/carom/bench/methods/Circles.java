@@ -38,7 +38,7 @@ abstract class Circles implements Method {
       vx[i] = real(velocity.x());
       vy[i] = real(velocity.y());
       radius[i] = real(circle.radius());
-      restitution[i] = real(scene.restitution(Kind.CIRCLE, i));
+      restitution[i] = real(scene.traits(Kind.CIRCLE, i).restitution());
     }
   }
 

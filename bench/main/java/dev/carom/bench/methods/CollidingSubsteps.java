@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 package dev.carom.bench.methods;
 
+import dev.carom.Kind;
 import dev.carom.Scene;
 
 /**
@@ -17,7 +18,7 @@ final class CollidingSubsteps extends Substeps {
     super(scene, k);
     inverseMass = new double[circles];
     for (int i = 0; i < circles; i++) {
-      inverseMass[i] = 1 / scene.mass(i);
+      inverseMass[i] = 1 / scene.traits(Kind.CIRCLE, i).mass();
     }
   }
 

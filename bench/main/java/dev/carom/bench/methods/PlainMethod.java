@@ -32,11 +32,11 @@ abstract class PlainMethod extends Circles {
     by = new double[lines];
     lineRestitution = new double[lines];
     for (int k = 0; k < lines; k++) {
-      lineRestitution[k] = real(scene.restitution(Kind.LINE, k));
+      lineRestitution[k] = real(scene.traits(Kind.LINE, k).restitution());
       setLine(k, scene.line(k));
     }
     Bounds bounds = scene.bounds().orElse(null);
-    wallRestitution = bounds == null ? 1 : real(scene.restitution(Kind.WALL, 0));
+    wallRestitution = bounds == null ? 1 : real(scene.traits(Kind.WALL, 0).restitution());
     xmin = bounds == null ? Double.NEGATIVE_INFINITY : real(bounds.xmin());
     ymin = bounds == null ? Double.NEGATIVE_INFINITY : real(bounds.ymin());
     xmax = bounds == null ? Double.POSITIVE_INFINITY : real(bounds.xmax());

@@ -36,14 +36,14 @@ final class PosterLines {
     this(scene.lineCount() + scene.pegCount());
     int straight = scene.lineCount();
     for (int k = 0; k < straight; k++) {
-      setLine(k, scene.line(k), real(scene.restitution(Kind.LINE, k)));
+      setLine(k, scene.line(k), real(scene.traits(Kind.LINE, k).restitution()));
     }
     for (int k = straight; k < count; k++) {
       Circle peg = scene.peg(k - straight);
       setLine(
           k,
           new Line(peg.x(), peg.y(), peg.x(), peg.y()),
-          real(scene.restitution(Kind.PEG, k - straight)));
+          real(scene.traits(Kind.PEG, k - straight).restitution()));
       thickness[k] = real(peg.radius());
     }
   }

@@ -23,7 +23,7 @@ final class PosterWalls {
     ymin = bounds == null ? Double.NEGATIVE_INFINITY : real(bounds.ymin());
     xmax = bounds == null ? Double.POSITIVE_INFINITY : real(bounds.xmax());
     ymax = bounds == null ? Double.POSITIVE_INFINITY : real(bounds.ymax());
-    restitution = bounds == null ? 1 : real(scene.restitution(Kind.WALL, 0));
+    restitution = bounds == null ? 1 : real(scene.traits(Kind.WALL, 0).restitution());
   }
 
   /** The fraction of the motion v at which the circle meets a wall, 0 if it stands beyond. */

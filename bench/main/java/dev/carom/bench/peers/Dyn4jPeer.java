@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 package dev.carom.bench.peers;
 
+import dev.carom.Kind;
 import dev.carom.Line;
 import dev.carom.Scene;
 import dev.carom.Vec2;
@@ -63,7 +64,7 @@ final class Dyn4jPeer extends Peer {
     Body body = body(disk, filter, circleRestitution(scene));
     body.setMass(MassType.NORMAL);
     if (scene.collide()) {
-      setMass(body, scene.mass(i));
+      setMass(body, scene.traits(Kind.CIRCLE, i).mass());
     }
     body.setBullet(best);
     body.translate(metres(scene.circle(i).x()), metres(scene.circle(i).y()));

@@ -13,6 +13,7 @@ import com.badlogic.gdx.physics.box2d.Shape;
 import com.badlogic.gdx.physics.box2d.World;
 import com.badlogic.gdx.utils.GdxNativesLoader;
 import com.badlogic.gdx.utils.GdxRuntimeException;
+import dev.carom.Kind;
 import dev.carom.Line;
 import dev.carom.Scene;
 import dev.carom.Vec2;
@@ -97,7 +98,7 @@ final class GdxPeer extends Peer {
     short others = scene.collide() ? ALL : LINES;
     addFixture(body, shape, CIRCLES, others, circleRestitution(scene));
     if (scene.collide()) {
-      setMass(body, scene.mass(i));
+      setMass(body, scene.traits(Kind.CIRCLE, i).mass());
     }
     return body;
   }

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 package dev.carom.bench.peers;
 
+import dev.carom.Kind;
 import dev.carom.Line;
 import dev.carom.Scene;
 import dev.carom.Vec2;
@@ -84,7 +85,7 @@ final class Jbox2dPeer extends Peer {
     int others = scene.collide() ? LINES | CIRCLES : LINES;
     body.createFixture(fixture(shape, CIRCLES, others, circleRestitution(scene)));
     if (scene.collide()) {
-      setMass(body, scene.mass(i));
+      setMass(body, scene.traits(Kind.CIRCLE, i).mass());
     }
     return body;
   }

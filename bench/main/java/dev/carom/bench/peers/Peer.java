@@ -54,13 +54,13 @@ abstract class Peer implements Method {
   }
 
   private static void checkRestitution(Scene scene) {
-    double least = scene.bounds().isPresent() ? scene.restitution(Kind.WALL, 0) : 1;
+    double least = scene.bounds().isPresent() ? scene.traits(Kind.WALL, 0).restitution() : 1;
     for (int k = 0; k < scene.lineCount(); k++) {
-      least = Math.min(least, scene.restitution(Kind.LINE, k));
+      least = Math.min(least, scene.traits(Kind.LINE, k).restitution());
     }
     for (int i = 0; i < scene.circleCount(); i++) {
-      double e = scene.restitution(Kind.CIRCLE, i);
-      if (e != scene.restitution(Kind.CIRCLE, 0) || (scene.collide() && e > least)) {
+      double e = scene.traits(Kind.CIRCLE, i).restitution();
+      if (e != scene.traits(Kind.CIRCLE, 0).restitution() || (scene.collide() && e > least)) {
         throw new UnsupportedOperationException(
             "the engine takes the greater of two restitutions, not the product: expected circles"
                 + " with the same one, and no obstacle with less where circles collide");
@@ -71,7 +71,7 @@ abstract class Peer implements Method {
   /** The restitution of the circles' fixtures. */
   static double circleRestitution(Scene scene) {
     return scene.collide()
-        ? scene.restitution(Kind.CIRCLE, 0) * scene.restitution(Kind.CIRCLE, 0)
+        ? scene.traits(Kind.CIRCLE, 0).restitution() * scene.traits(Kind.CIRCLE, 0).restitution()
         : 0;
   }
 
@@ -94,7 +94,7 @@ abstract class Peer implements Method {
 
   /** Whether gravity acts on a circle, also where circles ignore each other. */
   static boolean falls(Scene scene, int i) {
-    return scene.mass(i) < Double.POSITIVE_INFINITY;
+    return scene.traits(Kind.CIRCLE, i).mass() < Double.POSITIVE_INFINITY;
   }
 
   /** Both Box2Ds turn an infinite mass into a NaN. Their largest mass is as hard to move. */
@@ -108,13 +108,13 @@ abstract class Peer implements Method {
   /** The lines, and the four walls as lines. */
   static List<Edge> edges(Scene scene) {
     List<Edge> edges = new ArrayList<>();
-    double circles = scene.circleCount() == 0 ? 1 : scene.restitution(Kind.CIRCLE, 0);
+    double circles = scene.circleCount() == 0 ? 1 : scene.traits(Kind.CIRCLE, 0).restitution();
     for (int k = 0; k < scene.lineCount(); k++) {
-      edges.add(new Edge(scene.line(k), circles * scene.restitution(Kind.LINE, k)));
+      edges.add(new Edge(scene.line(k), circles * scene.traits(Kind.LINE, k).restitution()));
     }
     if (scene.bounds().isPresent()) {
       Bounds b = scene.bounds().get();
-      double e = circles * scene.restitution(Kind.WALL, 0);
+      double e = circles * scene.traits(Kind.WALL, 0).restitution();
       edges.add(new Edge(new Line(b.xmin(), b.ymin(), b.xmax(), b.ymin()), e));
       edges.add(new Edge(new Line(b.xmax(), b.ymin(), b.xmax(), b.ymax()), e));
       edges.add(new Edge(new Line(b.xmax(), b.ymax(), b.xmin(), b.ymax()), e));

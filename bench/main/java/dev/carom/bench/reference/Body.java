@@ -43,9 +43,9 @@ final class Body {
     this.bits = bits;
     Circle circle = scene.circle(id);
     Vec2 velocity = scene.velocity(id);
-    mass = scene.mass(id);
+    mass = scene.traits(Kind.CIRCLE, id).mass();
     radius = Ball.of(circle.radius(), bits);
-    restitution = Ball.of(scene.restitution(Kind.CIRCLE, id), bits);
+    restitution = Ball.of(scene.traits(Kind.CIRCLE, id).restitution(), bits);
     p = Vec.of(circle.x(), circle.y(), bits);
     v = Vec.of(velocity.x(), velocity.y(), bits);
     t = Ball.of(0, bits);

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 package dev.carom.bench.reference;
 
+import dev.carom.Filter;
 import dev.carom.Kind;
 import dev.carom.Response;
 import dev.carom.Scene;
@@ -27,7 +28,7 @@ final class Scope {
     for (int i = 0; i < scene.lineCount(); i++) {
       bounces("line", scene, Kind.LINE, i);
       rests("line", i, scene.velocity(Kind.LINE, i));
-      if (scene.oneWay(i)) {
+      if (scene.traits(Kind.LINE, i).oneWay()) {
         throw new IllegalArgumentException(
             "line " + i + " is one-way: a reference expects lines that are there from both sides");
       }
@@ -47,7 +48,7 @@ final class Scope {
           "circles collide: with gravity, a reference expects ones that ignore each other");
     }
     for (int i = 0; i < scene.circleCount(); i++) {
-      if (scene.mass(i) == Double.POSITIVE_INFINITY) {
+      if (scene.traits(Kind.CIRCLE, i).mass() == Double.POSITIVE_INFINITY) {
         throw new IllegalArgumentException(
             "circle %d has infinite mass: with gravity, a reference expects circles that fall"
                 .formatted(i));
@@ -56,12 +57,12 @@ final class Scope {
   }
 
   private static void bounces(String name, Scene scene, Kind kind, int i) {
-    Response response = scene.response(kind, i);
+    Response response = scene.traits(kind, i).response();
     if (response != Response.BOUNCE) {
       throw new IllegalArgumentException(
           "%s %d has the response %s: a reference expects BOUNCE".formatted(name, i, response));
     }
-    if (scene.category(kind, i) != 1 || scene.mask(kind, i) != -1) {
+    if (!scene.traits(kind, i).filter().equals(Filter.DEFAULT)) {
       throw new IllegalArgumentException(
           "%s %d has a filter: a reference expects category 1 and mask -1".formatted(name, i));
     }

@@ -17,7 +17,7 @@ abstract class Target {
     this.kind = kind;
     this.index = index;
     this.bits = bits;
-    restitution = Ball.of(scene.restitution(kind, index), bits);
+    restitution = Ball.of(scene.traits(kind, index).restitution(), bits);
   }
 
   /**

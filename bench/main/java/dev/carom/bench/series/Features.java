@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 package dev.carom.bench.series;
 
+import dev.carom.Filter;
 import dev.carom.Line;
 import dev.carom.Response;
 import dev.carom.Scene;
@@ -172,10 +173,10 @@ public final class Features {
   private static Scene masked(Scene whole) {
     SceneBuilder builder = SceneCopy.bounds(whole);
     for (int k = 0; k < whole.lineCount(); k++) {
-      SceneCopy.line(builder, whole.line(k)).filter(layer(k), layer(k) | 1);
+      SceneCopy.line(builder, whole.line(k)).filter(new Filter(layer(k), layer(k) | 1));
     }
     for (int i = 0; i < whole.circleCount(); i++) {
-      SceneCopy.circle(builder, whole, i).filter(layer(i), layer(i) | 1);
+      SceneCopy.circle(builder, whole, i).filter(new Filter(layer(i), layer(i) | 1));
     }
     return builder.build();
   }

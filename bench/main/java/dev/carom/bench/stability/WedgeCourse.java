@@ -37,7 +37,7 @@ final class WedgeCourse implements Reference {
     Line second = scene.line(1);
     Circle circle = scene.circle(0);
     Vec2 velocity = scene.velocity(0);
-    double e = scene.restitution(Kind.LINE, 0);
+    double e = scene.traits(Kind.LINE, 0).restitution();
     WedgeRun run = new WedgeRun(first, second, circle.radius(), e);
     run.play(new double[] {circle.x(), circle.y(), velocity.x(), velocity.y()}, nudged, frames);
     return run;

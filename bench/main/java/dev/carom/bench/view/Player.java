@@ -6,6 +6,7 @@ import dev.carom.Line;
 import dev.carom.Scene;
 import dev.carom.StopReason;
 import dev.carom.Timeline;
+import dev.carom.Traits;
 import dev.carom.World;
 import dev.carom.bench.charts.Still;
 import dev.carom.bench.charts.WorldScene;
@@ -379,12 +380,12 @@ public final class Player {
    * @param vy the y component of its velocity, finite
    */
   public void addCircle(double x, double y, double radius, double vx, double vy) {
-    editable().addCircle(x, y, radius, vx, vy);
+    editable().addCircle(x, y, radius, vx, vy, Traits.DEFAULT);
   }
 
   /** Adds a line. */
   public void addLine(Line line) {
-    editable().addLine(line.ax(), line.ay(), line.bx(), line.by());
+    editable().addLine(line.ax(), line.ay(), line.bx(), line.by(), Traits.DEFAULT);
   }
 
   /**
@@ -395,7 +396,7 @@ public final class Player {
    * @param radius finite and at least 0
    */
   public void addPeg(double x, double y, double radius) {
-    editable().addPeg(x, y, radius);
+    editable().addPeg(x, y, radius, Traits.DEFAULT);
   }
 
   /**

@@ -4,12 +4,14 @@ package dev.carom.bench.charts;
 import static org.assertj.core.api.Assertions.assertThat;
 
 import dev.carom.Circle;
+import dev.carom.Filter;
 import dev.carom.Kind;
 import dev.carom.Line;
 import dev.carom.Response;
 import dev.carom.Scene;
 import dev.carom.SceneBuilder;
 import dev.carom.Timeline;
+import dev.carom.Traits;
 import dev.carom.Vec2;
 import dev.carom.World;
 import org.junit.jupiter.api.Test;
@@ -19,10 +21,15 @@ class WorldSceneTest {
 
   private static SceneBuilder start() {
     SceneBuilder builder = Scene.builder();
-    builder.bounds(0, 0, 100, 60).response(Response.HALT).filter(7, 6);
-    builder.line(10, 10, 20, 20).restitution(0.5).oneWay().filter(4, -1);
+    builder.bounds(0, 0, 100, 60).response(Response.HALT).filter(new Filter(7, 6));
+    builder.line(10, 10, 20, 20).restitution(0.5).oneWay().filter(new Filter(4, -1));
     builder.peg(50, 50, 2).response(Response.SENSOR);
-    return builder.circle(30, 30, 5, 1, 0).mass(3).restitution(0.25).filter(2, 3).collide(true);
+    return builder
+        .circle(30, 30, 5, 1, 0)
+        .mass(3)
+        .restitution(0.25)
+        .filter(new Filter(2, 3))
+        .collide(true);
   }
 
   @Test
@@ -36,35 +43,35 @@ class WorldSceneTest {
     World world = new World(start().build());
     Timeline past = world.record(10);
     world.step(1);
-    world.setOneWay(0, false);
-    world.setRestitution(Kind.WALL, 0, 0.75);
-    world.setRestitution(Kind.PEG, 0, 2);
-    world.setResponse(Kind.PEG, 0, Response.HALT);
-    world.setRestitution(Kind.LINE, world.addLine(70, 10, 80, 10), 0.125);
-    world.setFilter(Kind.PEG, 0, 8, 9);
+    world.setTraits(Kind.LINE, 0, world.traits(Kind.LINE, 0).withOneWay(false));
+    world.setTraits(Kind.WALL, 0, world.traits(Kind.WALL, 0).withRestitution(0.75));
+    world.setTraits(Kind.PEG, 0, world.traits(Kind.PEG, 0).withRestitution(2));
+    world.setTraits(Kind.PEG, 0, world.traits(Kind.PEG, 0).withResponse(Response.HALT));
+    world.addLine(70, 10, 80, 10, Traits.DEFAULT.withRestitution(0.125));
+    world.setTraits(Kind.PEG, 0, world.traits(Kind.PEG, 0).withFilter(new Filter(8, 9)));
     world.remove(Kind.CIRCLE, 0);
     Scene now = WorldScene.of(world);
-    assertThat(now.restitution(Kind.WALL, 0)).isEqualTo(0.75);
-    assertThat(now.response(Kind.WALL, 0)).isEqualTo(Response.HALT);
-    assertThat(now.oneWay(0)).isFalse();
-    assertThat(now.restitution(Kind.LINE, 0)).isEqualTo(0.5);
-    assertThat(now.restitution(Kind.LINE, 1)).isEqualTo(0.125);
-    assertThat(now.restitution(Kind.PEG, 0)).isEqualTo(2);
-    assertThat(now.response(Kind.PEG, 0)).isEqualTo(Response.HALT);
-    assertThat(now.category(Kind.PEG, 0)).isEqualTo(8);
-    assertThat(now.mask(Kind.PEG, 0)).isEqualTo(9);
-    assertThat(now.category(Kind.WALL, 0)).isEqualTo(7);
+    assertThat(now.traits(Kind.WALL, 0).restitution()).isEqualTo(0.75);
+    assertThat(now.traits(Kind.WALL, 0).response()).isEqualTo(Response.HALT);
+    assertThat(now.traits(Kind.LINE, 0).oneWay()).isFalse();
+    assertThat(now.traits(Kind.LINE, 0).restitution()).isEqualTo(0.5);
+    assertThat(now.traits(Kind.LINE, 1).restitution()).isEqualTo(0.125);
+    assertThat(now.traits(Kind.PEG, 0).restitution()).isEqualTo(2);
+    assertThat(now.traits(Kind.PEG, 0).response()).isEqualTo(Response.HALT);
+    assertThat(now.traits(Kind.PEG, 0).filter().category()).isEqualTo(8);
+    assertThat(now.traits(Kind.PEG, 0).filter().mask()).isEqualTo(9);
+    assertThat(now.traits(Kind.WALL, 0).filter().category()).isEqualTo(7);
     assertThat(now.circleCount()).isZero();
 
     Scene then = WorldScene.of(world, past, 0.5);
     assertThat(then.circle(0).x()).isEqualTo(30.5);
-    assertThat(then.mass(0)).isEqualTo(3);
-    assertThat(then.restitution(Kind.CIRCLE, 0)).isEqualTo(0.25);
+    assertThat(then.traits(Kind.CIRCLE, 0).mass()).isEqualTo(3);
+    assertThat(then.traits(Kind.CIRCLE, 0).restitution()).isEqualTo(0.25);
     assertThat(then.lineCount()).isEqualTo(1);
-    assertThat(then.oneWay(0)).isTrue();
-    assertThat(then.restitution(Kind.WALL, 0)).isEqualTo(1);
-    assertThat(then.restitution(Kind.PEG, 0)).isEqualTo(1);
-    assertThat(then.response(Kind.PEG, 0)).isEqualTo(Response.SENSOR);
+    assertThat(then.traits(Kind.LINE, 0).oneWay()).isTrue();
+    assertThat(then.traits(Kind.WALL, 0).restitution()).isEqualTo(1);
+    assertThat(then.traits(Kind.PEG, 0).restitution()).isEqualTo(1);
+    assertThat(then.traits(Kind.PEG, 0).response()).isEqualTo(Response.SENSOR);
   }
 
   @Test

@@ -4,6 +4,7 @@ package dev.carom.bench.cli;
 import static org.assertj.core.api.Assertions.assertThat;
 
 import com.code_intelligence.jazzer.junit.FuzzTest;
+import dev.carom.Filter;
 import dev.carom.Impact;
 import dev.carom.Kind;
 import dev.carom.Scene;
@@ -68,11 +69,11 @@ class InputFuzzIT {
             .collide(true)
             .peg(50, 20, 5)
             .line(10, 10, 40, 15)
-            .filter(2, 7)
+            .filter(new Filter(2, 7))
             .circle(20, 40, 3, 1.5, 0.5)
             .circle(70, 30, 4, -1, 0.25)
             .circle(30, 50, 2, 0.5, -1)
-            .filter(4, 2)
+            .filter(new Filter(4, 2))
             .build();
     World world = new World(scene);
     world.setVelocity(Kind.LINE, 0, 0.25, 0.125);

@@ -8,6 +8,7 @@ import static org.assertj.core.api.Assertions.within;
 
 import dev.carom.Bounds;
 import dev.carom.Circle;
+import dev.carom.Kind;
 import dev.carom.Scene;
 import java.util.stream.IntStream;
 import org.junit.jupiter.api.Test;
@@ -27,7 +28,12 @@ class GasTest {
       Circle c = scene.circle(i);
       for (double value :
           new double[] {
-            c.x(), c.y(), c.radius(), scene.velocity(i).x(), scene.velocity(i).y(), scene.mass(i)
+            c.x(),
+            c.y(),
+            c.radius(),
+            scene.velocity(i).x(),
+            scene.velocity(i).y(),
+            scene.traits(Kind.CIRCLE, i).mass()
           }) {
         hash = 31 * hash + Double.doubleToRawLongBits(value);
       }
@@ -44,7 +50,8 @@ class GasTest {
     Scene scene = new Gas(n, packing, spread, false, 3).scene();
 
     assertGas(scene, n, packing, spread, 1e-9);
-    assertThat(IntStream.range(0, n).mapToDouble(scene::mass)).containsOnly(1.0);
+    assertThat(IntStream.range(0, n).mapToDouble(i -> scene.traits(Kind.CIRCLE, i).mass()))
+        .containsOnly(1.0);
   }
 
   /** So many circles in a box, which cover a part of it and, but for a margin, no other circle. */

@@ -46,7 +46,10 @@ class ChecksTest extends FlightChecks {
   private static World withMovingThings() {
     SceneBuilder scene = box().line(10, 5, 10, 95).velocity(20, 0).peg(95, 90, 3).velocity(-30, 0);
     World world = new World(scene.circle(20, 50, 5, 1, 0).build());
-    world.setResponse(Kind.CIRCLE, 0, Response.SENSOR); // nothing happens to it
+    world.setTraits(
+        Kind.CIRCLE,
+        0,
+        world.traits(Kind.CIRCLE, 0).withResponse(Response.SENSOR)); // nothing happens to it
     world.advanceTo(1);
     return world;
   }
@@ -99,10 +102,10 @@ class ChecksTest extends FlightChecks {
   void whatIsNotThereIsPassed() throws FindingException {
     World world = new World(box().circle(20, 50, 5, 1, 0).build());
 
-    world.setOneWay(0, true);
+    world.setTraits(Kind.LINE, 0, world.traits(Kind.LINE, 0).withOneWay(true));
     check(world, flight(60, 50, 40, 50));
     assertFound("THROUGH", world, flight(40, 50, 60, 50));
-    world.setResponse(Kind.LINE, 0, Response.SENSOR);
+    world.setTraits(Kind.LINE, 0, world.traits(Kind.LINE, 0).withResponse(Response.SENSOR));
     check(world, flight(40, 50, 60, 50));
   }
 
@@ -139,7 +142,7 @@ class ChecksTest extends FlightChecks {
       world.step(3);
 
       energy.end();
-      world.setRestitution(Kind.CIRCLE, 0, 1);
+      world.setTraits(Kind.CIRCLE, 0, world.traits(Kind.CIRCLE, 0).withRestitution(1));
       assertThatThrownBy(energy::end)
           .isInstanceOf(FindingException.class)
           .hasMessageContaining("energy of circle 0 went from 81.0");
@@ -245,8 +248,10 @@ class ChecksTest extends FlightChecks {
     masses.enter(world);
     world.step(2);
     masses.read(world.impacts());
-    world.setMass(0, Double.POSITIVE_INFINITY);
-    world.setMass(1, Double.POSITIVE_INFINITY);
+    world.setTraits(
+        Kind.CIRCLE, 0, world.traits(Kind.CIRCLE, 0).withMass(Double.POSITIVE_INFINITY));
+    world.setTraits(
+        Kind.CIRCLE, 1, world.traits(Kind.CIRCLE, 1).withMass(Double.POSITIVE_INFINITY));
     assertThatThrownBy(() -> masses.read(world.impacts()))
         .hasMessageContaining("infinite masses 0 and 1: BOUNCED");
   }

@@ -77,7 +77,7 @@ class ChecksUnderGravityTest extends FlightChecks {
   @Test
   void aFallThroughAPlatformIsFound() throws FindingException {
     World world = world();
-    world.setOneWay(0, true);
+    world.setTraits(Kind.LINE, 0, world.traits(Kind.LINE, 0).withOneWay(true));
 
     check(world, flight(50, 10, 0, 30));
     assertFound("nearer to line 0", world, flight(50, 40, 0, -30));

@@ -6,6 +6,7 @@ import static org.assertj.core.api.Assertions.assertThatThrownBy;
 import static org.assertj.core.api.Assertions.within;
 
 import dev.carom.Feature;
+import dev.carom.Filter;
 import dev.carom.Kind;
 import dev.carom.Response;
 import dev.carom.Scene;
@@ -217,10 +218,12 @@ class TruthTest {
             "circle 0 has infinite mass: with gravity, a reference expects circles that fall");
     Scene gate = Scene.builder().line(0, 0, 1, 0).oneWay().circle(5, 0, 1, 0, 0).build();
     assertThatThrownBy(() -> truth(gate, 1)).hasMessageStartingWith("line 0 is one-way");
-    Scene ghost = Scene.builder().peg(0, 0, 1).circle(5, 0, 1, 0, 0).filter(2, -1).build();
+    Scene ghost =
+        Scene.builder().peg(0, 0, 1).circle(5, 0, 1, 0, 0).filter(new Filter(2, -1)).build();
     assertThatThrownBy(() -> truth(ghost, 1))
         .hasMessage("circle 0 has a filter: a reference expects category 1 and mask -1");
-    Scene mask = Scene.builder().peg(0, 0, 1).filter(1, 2).circle(5, 0, 1, 0, 0).build();
+    Scene mask =
+        Scene.builder().peg(0, 0, 1).filter(new Filter(1, 2)).circle(5, 0, 1, 0, 0).build();
     assertThatThrownBy(() -> truth(mask, 1)).hasMessageStartingWith("peg 0 has a filter");
     assertThatThrownBy(() -> truth(gate, 0)).hasMessage("frames is 0: expected at least 1");
   }

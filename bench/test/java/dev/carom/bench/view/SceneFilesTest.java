@@ -73,7 +73,7 @@ class SceneFilesTest {
     Scene saved = Scene.read(file);
     assertThat(saved.circle(0).x()).isEqualTo(90);
     assertThat(saved.velocity(0).x()).isEqualTo(-8);
-    assertThat(saved.restitution(Kind.LINE, 0)).isEqualTo(0.5);
+    assertThat(saved.traits(Kind.LINE, 0).restitution()).isEqualTo(0.5);
     player.restart();
     player.setRunning(true);
     files.open();

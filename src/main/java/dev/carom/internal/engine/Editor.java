@@ -4,13 +4,13 @@ package dev.carom.internal.engine;
 import dev.carom.internal.state.CircleRegistry;
 import dev.carom.internal.state.CircleTable;
 import dev.carom.internal.state.Codes;
-import dev.carom.internal.state.ContactFlags;
 import dev.carom.internal.state.FilterBits;
 import dev.carom.internal.state.MovingCircle;
 import dev.carom.internal.state.ObstacleRows;
 import dev.carom.internal.state.ObstacleTable;
 import dev.carom.internal.state.SceneData;
 import dev.carom.internal.state.SizeLimits;
+import dev.carom.internal.state.TraitValues;
 import dev.carom.internal.util.Check;
 import dev.carom.internal.util.KindNumber;
 import dev.carom.internal.util.Refusal;
@@ -90,17 +90,21 @@ public final class Editor {
     limits.keepRadius(radius);
   }
 
-  public int addCircle(double x, double y, double radius, double vx, double vy, double now) {
+  public int addCircle(
+      double x, double y, double radius, double vx, double vy, TraitValues traits, double now) {
     checkId(KindNumber.CIRCLE, registry.idLimit(), CircleRegistry.ID_LIMIT);
     try {
       checkPlace(x, y);
       limits.checkRadius(radius, x, y, haveLines());
       checkVelocity(vx, vy);
+      traits.check(KindNumber.CIRCLE);
     } catch (IllegalArgumentException e) {
       throw named(e, KindNumber.CIRCLE, registry.idLimit());
     }
     int slot = registry.add();
-    body.start(slot, x, y, radius + 0.0, vx, vy, 1); // 0 for -0
+    traits.set(registry, slot);
+    body.start(slot, x, y, radius + 0.0, vx, vy, traits.restitution()); // 0 for -0
+    body.filter = traits.filter();
     body.t = now;
     body.tl = engine.tailOfEdit(body, now);
     engine.release(body);
@@ -110,12 +114,7 @@ public final class Editor {
     return registry.id(slot);
   }
 
-  public void setMass(int slot, double m, double now) {
-    try {
-      Check.mass("mass", m);
-    } catch (IllegalArgumentException e) {
-      throw named(e, Codes.circle(slot));
-    }
+  private void setMass(int slot, double m, double now) {
     boolean passes = (registry.mass(slot) == INFINITE) != (m == INFINITE);
     circles.load(slot, body);
     boolean held = collide && body.isMember();
@@ -208,15 +207,24 @@ public final class Editor {
   // Obstacles.
 
   /** Adds an obstacle with the numbers of its kind, in the order of its shape. A peg has three. */
-  public int add(int kind, double first, double second, double third, double fourth, double now) {
+  public int add(
+      int kind,
+      double first,
+      double second,
+      double third,
+      double fourth,
+      TraitValues traits,
+      double now) {
     set(first, second, third, fourth);
     ObstacleRows rows = obstacles.ofKind(kind);
     checkId(kind, rows.count(), Codes.limit(kind));
     check(rows, rows.end);
+    check(traits, rows.end);
     if (kind == KindNumber.LINE) {
       checkNoPoint(rows.end);
     }
     int code = obstacles.add(kind, numbers);
+    traits.set(obstacles, code);
     keepPlace(rows);
     engine.appeared(code, now);
     return Codes.index(code);
@@ -299,77 +307,74 @@ public final class Editor {
     }
   }
 
-  public void setRestitution(int code, double e, double now) {
+  /** Sets the traits of a thing, those of a wall for all of them; only what differs is an edit. */
+  public void setTraits(int code, TraitValues traits, double now) {
+    check(traits, code);
+    if (Codes.isCircle(code)) {
+      setTraitsOfCircle(Codes.slot(code), traits, now);
+    } else {
+      setTraitsOfObstacle(code, traits, now);
+    }
+  }
+
+  private void check(TraitValues traits, int code) {
     try {
-      Check.notNegative("restitution", e);
-    } catch (IllegalArgumentException refused) {
-      throw named(refused, code);
-    }
-    if (Codes.isCircle(code)) {
-      circles.setRestitution(Codes.slot(code), e);
-      engine.noteContact(code, now);
-      engine.noteChange(Codes.slot(code), now);
-    } else {
-      obstacles.setRestitution(code, e);
-      engine.noteContact(code, now);
-      engine.noteObstacle(code, now);
-    }
-  }
-
-  public void setResponse(int code, int response, double now) {
-    if (Codes.isCircle(code)) {
-      int slot = Codes.slot(code);
-      MovingCircle m = restarted(slot, now);
-      registry.setTraits(slot, ContactFlags.with(registry.traits(slot), response));
-      engine.beginFlight(m);
-    } else if (Codes.isWall(code)) {
-      if (response == ContactFlags.SENSOR) {
-        throw Refusal.of(
-            "bounds",
-            Check.refused("response", "SENSOR", "BOUNCE or HALT: bounds keep circles inside"));
-      }
-      obstacles.setTraits(code, ContactFlags.with(obstacles.traits(code), response));
-      engine.noteContact(code, now);
-    } else {
-      setTraits(code, ContactFlags.with(obstacles.traits(code), response), now);
-    }
-  }
-
-  public void setOneWay(int code, boolean oneWay, double now) {
-    setTraits(code, ContactFlags.withOneWay(obstacles.traits(code), oneWay), now);
-  }
-
-  /** Sets a {@link FilterBits}, that of a wall for all of them. */
-  public void setFilter(int code, long filter, double now) {
-    if (Codes.isCircle(code)) {
-      setFilterOfCircle(Codes.slot(code), filter, now);
-    } else if (Codes.isWall(code)) {
-      setFilterOfWalls(code, filter, now);
-    } else if (filter != obstacles.filter(code)) {
-      engine.forget(code);
-      obstacles.setFilter(code, filter);
-      engine.appeared(code, now);
+      traits.check(Codes.kind(code));
+    } catch (IllegalArgumentException e) {
+      throw named(e, code);
     }
   }
 
   /** The old flight ends where its own filter led it. */
-  private void setFilterOfCircle(int slot, long filter, double now) {
-    if (filter != registry.filter(slot)) {
+  private void setTraitsOfCircle(int slot, TraitValues traits, double now) {
+    if (traits.mass() != registry.mass(slot)) {
+      setMass(slot, traits.mass(), now);
+    }
+    if (traits.restitution() != circles.restitution(slot)) {
+      circles.setRestitution(slot, traits.restitution());
+      engine.noteContact(Codes.circle(slot), now);
+      engine.noteChange(slot, now);
+    }
+    boolean meetsOthers = traits.filter() != registry.filter(slot);
+    if (meetsOthers || traits.flags() != registry.traits(slot)) {
       MovingCircle m = restarted(slot, now);
-      registry.setFilter(slot, filter);
-      m.filter = filter;
-      m.forget();
+      traits.set(registry, slot);
+      m.filter = traits.filter();
+      if (meetsOthers) {
+        m.forget();
+      }
       engine.beginFlight(m);
     }
   }
 
-  /** Circles that can meet the walls from now on, or no longer, begin new flights. */
-  private void setFilterOfWalls(int wall, long filter, double now) {
-    long before = obstacles.filter(wall);
+  private void setTraitsOfObstacle(int code, TraitValues traits, double now) {
+    if (traits.restitution() != obstacles.givenRestitution(code)) {
+      obstacles.setRestitution(code, traits.restitution());
+      engine.noteContact(code, now);
+      engine.noteObstacle(code, now);
+    }
+    long before = obstacles.filter(code);
+    if (traits.filter() == before && traits.flags() == obstacles.traits(code)) {
+      return;
+    }
+    if (Codes.isWall(code)) {
+      List<MovingCircle> changed = restartedAtWalls(before, traits.filter(), now);
+      traits.set(obstacles, code);
+      engine.noteContact(code, now);
+      changed.forEach(engine::beginFlight);
+    } else {
+      engine.forget(code);
+      traits.set(obstacles, code);
+      engine.appeared(code, now);
+    }
+  }
+
+  /** Restarts the circles that can meet walls of one filter, but not of the other. */
+  private List<MovingCircle> restartedAtWalls(long before, long after, double now) {
     List<MovingCircle> changed = new ArrayList<>();
     for (int slot : registry.slots()) {
       long its = registry.filter(slot);
-      if (FilterBits.meet(its, before) != FilterBits.meet(its, filter)) {
+      if (FilterBits.meet(its, before) != FilterBits.meet(its, after)) {
         MovingCircle m = new MovingCircle();
         circles.load(slot, m);
         restart(m, now);
@@ -377,16 +382,6 @@ public final class Editor {
         changed.add(m);
       }
     }
-    obstacles.setFilter(wall, filter);
-    engine.noteContact(wall, now);
-    changed.forEach(engine::beginFlight);
-  }
-
-  private void setTraits(int code, int traits, double now) {
-    if (traits != obstacles.traits(code)) {
-      engine.forget(code);
-      obstacles.setTraits(code, traits);
-      engine.appeared(code, now);
-    }
+    return changed;
   }
 }

@@ -64,6 +64,17 @@ public final class SceneDataBuilder {
 
   // Properties of the thing added last.
 
+  public void traits(TraitValues traits) {
+    expectThing("traits");
+    check(last, () -> traits.check(Codes.kind(last)));
+    if (Codes.isCircle(last)) {
+      circles.setLast(traits.restitution());
+      traits.set(registry, Codes.slot(last));
+    } else {
+      traits.set(obstacles, last);
+    }
+  }
+
   public void restitution(double e) {
     expectThing("restitution");
     check(last, () -> Check.notNegative("restitution", e));
@@ -77,11 +88,7 @@ public final class SceneDataBuilder {
   /** Sets a response, by its number in {@link ContactFlags}. */
   public void response(int response) {
     expectThing("response");
-    if (Codes.isWall(last) && response == ContactFlags.SENSOR) {
-      throw Refusal.of(
-          "bounds",
-          Check.refused("response", "sensor", "bounce or halt: bounds keep circles inside"));
-    }
+    check(last, () -> TraitValues.checkResponse(Codes.kind(last), response));
     setTraits(ContactFlags.with(traits(), response));
   }
 

@@ -4,11 +4,13 @@ package dev.carom.internal.engine;
 import static org.assertj.core.api.Assertions.assertThat;
 
 import dev.carom.CollidingScenes;
+import dev.carom.Filter;
 import dev.carom.Internals;
 import dev.carom.Kind;
 import dev.carom.Run;
 import dev.carom.Scene;
 import dev.carom.SceneBuilder;
+import dev.carom.Traits;
 import dev.carom.World;
 import java.util.Random;
 import org.junit.jupiter.api.Test;
@@ -41,8 +43,9 @@ class FarCirclesTest {
   @ValueSource(doubles = {1e3, 1e8, 1e9, 1e12, -1e9})
   void whoStartsFarOutsideOfTheBoundsFliesOn(double far) {
     for (int mask : new int[] {-1, 2}) {
-      SceneBuilder scene = Scene.builder().bounds(0, 0, 10, 10).filter(2, 2).collide(true);
-      scene.circle(5, 5, 0.5, 1, 1).circle(far, 5, 0.5, 1, 0).filter(1, mask);
+      SceneBuilder scene =
+          Scene.builder().bounds(0, 0, 10, 10).filter(new Filter(2, 2)).collide(true);
+      scene.circle(5, 5, 0.5, 1, 1).circle(far, 5, 0.5, 1, 0).filter(new Filter(1, mask));
       World world = new World(scene.build());
       assertArrivesAtOnce(world, 1);
       assertThat(world.x(1)).isEqualTo(far + 1);
@@ -56,7 +59,7 @@ class FarCirclesTest {
     SceneBuilder scene = Scene.builder().bounds(0, 0, 10, 10).collide(true);
     World world = new World(scene.circle(5, 5, 0.5, 1, 1).circle(2, 2, 0.5, 1, 0).build());
     world.setPosition(1, 1e9, 5);
-    world.addCircle(1e9, -1e9, 0.5, 3, 4);
+    world.addCircle(1e9, -1e9, 0.5, 3, 4, Traits.DEFAULT);
     assertArrivesAtOnce(world, 1);
     World other = new World(world.scene());
     other.restore(world.snapshot());
@@ -72,8 +75,9 @@ class FarCirclesTest {
   /** A ball that is parked high above, under gravity, in the world and in one restored from it. */
   @Test
   void whoIsParkedFarAwayDoesNotKeepARestoredWorldFromGoingOn() {
-    SceneBuilder scene = Scene.builder().bounds(0, 0, 10, 10).filter(2, 2).collide(true);
-    scene.gravity(0, -1).circle(5, 5, 0.5, 1, 0).circle(3, 5, 0.5, 0, 0).filter(1, 1);
+    SceneBuilder scene =
+        Scene.builder().bounds(0, 0, 10, 10).filter(new Filter(2, 2)).collide(true);
+    scene.gravity(0, -1).circle(5, 5, 0.5, 1, 0).circle(3, 5, 0.5, 0, 0).filter(new Filter(1, 1));
     World world = new World(scene.build());
     world.setPosition(1, 1, 1e9);
     assertArrivesAtOnce(world, 1);

@@ -13,13 +13,16 @@ import dev.carom.SceneBuilder;
 import dev.carom.Snapshot;
 import dev.carom.SnapshotBytes;
 import dev.carom.Timeline;
+import dev.carom.Traits;
 import dev.carom.Uncertainty;
 import dev.carom.World;
 import dev.carom.internal.state.CircleRegistry;
 import dev.carom.internal.state.Codes;
 import dev.carom.internal.state.EngineOptions;
+import dev.carom.internal.state.FilterBits;
 import dev.carom.internal.state.ImpactRows;
 import dev.carom.internal.state.ObstacleTable;
+import dev.carom.internal.state.TraitValues;
 import dev.carom.internal.state.WorldState;
 import dev.carom.internal.util.KindNumber;
 import org.junit.jupiter.api.Test;
@@ -32,6 +35,7 @@ class IdLimitTest {
   private static final int CIRCLES = 1_610_612_736;
   private static final int LINES = (1 << 28) - 4;
   private static final int PEGS = 1 << 28;
+  private static final TraitValues PLAIN = new TraitValues(1, 1, 0, FilterBits.DEFAULT);
 
   /** A world of three circles, the last with the id before a given end of ids. */
   private static World old(boolean collide, int idLimit) {
@@ -51,7 +55,7 @@ class IdLimitTest {
   @ValueSource(booleans = {false, true})
   void theLastIdOfACircleIsLikeOthers(boolean collide) {
     World world = old(collide, CIRCLES - 1);
-    int last = world.addCircle(50, 20, 3, 0, 9);
+    int last = world.addCircle(50, 20, 3, 0, 9, Traits.DEFAULT);
     assertThat(last).isEqualTo(CIRCLES - 1);
     Run.step(world, 10);
     assertThat(world.impacts().size()).isPositive();
@@ -70,7 +74,7 @@ class IdLimitTest {
   void anUncertaintyOfLargeIdsTakesLittleMemory() {
     World world = old(false, CIRCLES - 1);
     Uncertainty uncertainty = new Uncertainty(world, 0.1);
-    int last = world.addCircle(50, 20, 3, 0, 9);
+    int last = world.addCircle(50, 20, 3, 0, 9, Traits.DEFAULT);
     assertThat(uncertainty.bound(last)).isInfinite();
     assertThat(uncertainty.lostAt(last)).isZero();
     world.remove(CIRCLE, 7);
@@ -94,7 +98,7 @@ class IdLimitTest {
     World world = old(collide, CIRCLES);
     world.remove(CIRCLE, 7);
     Snapshot before = world.snapshot();
-    assertThatThrownBy(() -> world.addCircle(50, 20, 3, 0, 9))
+    assertThatThrownBy(() -> world.addCircle(50, 20, 3, 0, 9, Traits.DEFAULT))
         .isInstanceOf(IllegalStateException.class)
         .hasMessage(
             "circle 1610612736 cannot be added: all ids below 1610612736 were given, and none is"
@@ -116,12 +120,12 @@ class IdLimitTest {
     ObstacleTable obstacles = engine.staticScene.obstacles;
     obstacles.lines.end = Codes.line(LINES);
     obstacles.ofKind(KindNumber.PEG).end = Codes.peg(PEGS);
-    assertThatThrownBy(() -> editor.add(KindNumber.LINE, 1, 2, 3, 4, 0))
+    assertThatThrownBy(() -> editor.add(KindNumber.LINE, 1, 2, 3, 4, PLAIN, 0))
         .isInstanceOf(IllegalStateException.class)
         .hasMessage(
             "line 268435452 cannot be added: all ids below 268435452 were given, and none is"
                 + " reused");
-    assertThatThrownBy(() -> editor.add(KindNumber.PEG, 1, 2, 3, 0, 0))
+    assertThatThrownBy(() -> editor.add(KindNumber.PEG, 1, 2, 3, 0, PLAIN, 0))
         .isInstanceOf(IllegalStateException.class)
         .hasMessage(
             "peg 268435456 cannot be added: all ids below 268435456 were given, and none is"
@@ -134,7 +138,7 @@ class IdLimitTest {
   void aRecordingFollowsWhatIsThere(boolean collide) {
     World world = old(collide, CIRCLES - 10);
     Timeline past = world.record(100);
-    int id = world.addCircle(50, 20, 3, 0, 9);
+    int id = world.addCircle(50, 20, 3, 0, 9, Traits.DEFAULT);
     Run.step(world, 4);
     world.remove(CIRCLE, 0);
     Run.step(world, 4);

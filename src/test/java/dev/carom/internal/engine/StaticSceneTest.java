@@ -9,6 +9,7 @@ import dev.carom.Run;
 import dev.carom.Scene;
 import dev.carom.SceneBuilder;
 import dev.carom.SweptCircle;
+import dev.carom.Traits;
 import dev.carom.World;
 import dev.carom.internal.state.Codes;
 import dev.carom.internal.state.EngineOptions;
@@ -71,7 +72,7 @@ class StaticSceneTest {
     World edited = new World(scene.build());
     Run.to(world, 1 / 3.0);
     Run.to(edited, 1 / 3.0);
-    edited.addLine(5, 0, 5, 100);
+    edited.addLine(5, 0, 5, 100, Traits.DEFAULT);
     Run.to(world, 10 / 7.0);
     Run.to(edited, 10 / 7.0);
     for (int i = 0; i < MANY; i++) {

@@ -8,11 +8,13 @@ import dev.carom.Bounds;
 import dev.carom.Circle;
 import dev.carom.Impact;
 import dev.carom.Internals;
+import dev.carom.Kind;
 import dev.carom.Response;
 import dev.carom.Run;
 import dev.carom.Scene;
 import dev.carom.SceneBuilder;
 import dev.carom.Timeline;
+import dev.carom.Traits;
 import dev.carom.Vec2;
 import dev.carom.World;
 import dev.carom.internal.state.EngineOptions;
@@ -60,11 +62,11 @@ class TurnoverTest {
     double vy = 20 * random.nextDouble() - 10;
     double mass = 1 + random.nextInt(3);
     Response response = random.nextInt(4) == 0 ? Response.SENSOR : Response.BOUNCE;
-    int id = world.addCircle(x, y, r, vx, vy);
-    assertThat(beside.addCircle(x, y, r, vx, vy)).isEqualTo(id);
+    int id = world.addCircle(x, y, r, vx, vy, Traits.DEFAULT);
+    assertThat(beside.addCircle(x, y, r, vx, vy, Traits.DEFAULT)).isEqualTo(id);
     for (World each : new World[] {world, beside}) {
-      each.setMass(id, mass);
-      each.setResponse(CIRCLE, id, response);
+      each.setTraits(Kind.CIRCLE, id, each.traits(Kind.CIRCLE, id).withMass(mass));
+      each.setTraits(CIRCLE, id, each.traits(CIRCLE, id).withResponse(response));
     }
     live.add(id);
   }
@@ -132,7 +134,8 @@ class TurnoverTest {
     int id = live.peek();
     assertThat(world.x(id)).isEqualTo(beside.x(id));
     assertThat(world.vy(id)).isEqualTo(beside.vy(id));
-    assertThat(world.mass(id)).isEqualTo(beside.mass(id));
-    assertThat(world.response(CIRCLE, id)).isEqualTo(beside.response(CIRCLE, id));
+    assertThat(world.traits(Kind.CIRCLE, id).mass())
+        .isEqualTo(beside.traits(Kind.CIRCLE, id).mass());
+    assertThat(world.traits(CIRCLE, id).response()).isEqualTo(beside.traits(CIRCLE, id).response());
   }
 }

@@ -6,6 +6,7 @@ import static org.assertj.core.api.Assertions.assertThatExceptionOfType;
 import static org.assertj.core.api.Assertions.assertThatThrownBy;
 import static org.junit.jupiter.api.Assumptions.assumeTrue;
 
+import dev.carom.Kind;
 import dev.carom.Scene;
 import dev.carom.SceneBuilder;
 import dev.carom.TestScenes;
@@ -173,7 +174,8 @@ class SceneFileTest {
   @ParameterizedTest
   @ValueSource(strings = {"inf", "Infinity", " inf "})
   void anInfiniteMass(String mass) throws IOException {
-    assertThat(read("circle,1,2,3,4,5," + mass).mass(0)).isEqualTo(Double.POSITIVE_INFINITY);
+    assertThat(read("circle,1,2,3,4,5," + mass).traits(Kind.CIRCLE, 0).mass())
+        .isEqualTo(Double.POSITIVE_INFINITY);
   }
 
   @Test

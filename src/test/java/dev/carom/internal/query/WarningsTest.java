@@ -237,8 +237,8 @@ class WarningsTest {
       }
       for (int j = i + 1; j < scene.circleCount() && scene.collide(); j++) {
         boolean sensor =
-            scene.response(Kind.CIRCLE, i) == Response.SENSOR
-                || scene.response(Kind.CIRCLE, j) == Response.SENSOR;
+            scene.traits(Kind.CIRCLE, i).response() == Response.SENSOR
+                || scene.traits(Kind.CIRCLE, j).response() == Response.SENSOR;
         Circle o = scene.circle(j);
         if (!sensor && circle.overlaps(o)) {
           warnings.add(Warnings.text(Internals.data(scene), i, Codes.circle(j)));

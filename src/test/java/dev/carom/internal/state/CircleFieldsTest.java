@@ -3,6 +3,7 @@ package dev.carom.internal.state;
 
 import static org.assertj.core.api.Assertions.assertThat;
 
+import dev.carom.Filter;
 import dev.carom.Internals;
 import dev.carom.Scene;
 import dev.carom.internal.sweep.Contact;
@@ -153,7 +154,12 @@ class CircleFieldsTest {
 
   @Test
   void theTableReadsTheFilterFromTheRegistry() {
-    Scene scene = Scene.builder().circle(0, 0, 1, 0, 0).circle(9, 0, 1, 0, 0).filter(6, 5).build();
+    Scene scene =
+        Scene.builder()
+            .circle(0, 0, 1, 0, 0)
+            .circle(9, 0, 1, 0, 0)
+            .filter(new Filter(6, 5))
+            .build();
     CircleTable circles = CircleTable.colliding(2);
     MovingCircle m = circles.body;
     circles.load(1, m);
