@@ -118,6 +118,9 @@ abstract class PlainEdits extends PlainSearch {
   }
 
   void setMass(int id, double mass) {
+    if (mass == registry.mass(id)) {
+      return; // no edit
+    }
     double never = Double.POSITIVE_INFINITY;
     boolean passes = (registry.mass(id) == never) != (mass == never);
     boolean held = collide && bodies.get(id).isMember();
@@ -193,13 +196,18 @@ abstract class PlainEdits extends PlainSearch {
   }
 
   void setRestitution(Kind kind, int id, double e) {
+    int code = Codes.of(kind.ordinal(), id);
+    boolean isCircle = kind == Kind.CIRCLE;
+    if (e == (isCircle ? bodies.get(id).restitution : obstacles.givenRestitution(code))) {
+      return; // no edit
+    }
     switch (kind) {
       case LINE -> obstacles.setRestitution(Codes.line(id), e);
       case PEG -> obstacles.setRestitution(Codes.peg(id), e);
       case WALL -> obstacles.setRestitution(id, e);
       case CIRCLE -> bodies.get(id).restitution = e;
     }
-    noteContact(Codes.of(kind.ordinal(), id));
+    noteContact(code);
   }
 
   void setResponse(Kind kind, int id, Response response) {
@@ -208,11 +216,19 @@ abstract class PlainEdits extends PlainSearch {
         int code = (kind == Kind.LINE ? Codes.line(0) : Codes.peg(0)) + id;
         setTraits(code, ContactFlags.with(obstacles.traits(code), response.ordinal()));
       }
-      case WALL ->
-          obstacles.setTraits(id, ContactFlags.with(obstacles.boundsTraits, response.ordinal()));
+      case WALL -> {
+        int traits = ContactFlags.with(obstacles.boundsTraits, response.ordinal());
+        if (traits != obstacles.boundsTraits) {
+          obstacles.setTraits(id, traits);
+          noteContact(id);
+        }
+      }
       case CIRCLE -> {
-        restarted(id);
-        registry.setTraits(id, ContactFlags.with(registry.traits(id), response.ordinal()));
+        int traits = ContactFlags.with(registry.traits(id), response.ordinal());
+        if (traits != registry.traits(id)) { // else it is no edit
+          restarted(id);
+          registry.setTraits(id, traits);
+        }
       }
     }
   }
