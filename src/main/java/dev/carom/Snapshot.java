@@ -23,10 +23,12 @@ import java.security.NoSuchAlgorithmException;
  * World world =
  *     new World(Scene.builder().bounds(0, 0, 100, 100).circle(50, 50, 10, 8, 0).build());
  * Snapshot saved = world.snapshot();
- * System.out.println(world.step(6) + ", " + world.x(0)); // true, 82.0
+ * world.step(6);
+ * System.out.println(world.x(0)); // 82.0
  * world.restore(saved);
  * world.setVelocity(0, 0, 3);
- * System.out.println(world.step(6) + ", " + world.y(0)); // true, 68.0
+ * world.step(6);
+ * System.out.println(world.y(0)); // 68.0
  * }</pre>
  *
  * <p>To load a saved game, make a world of any scene with equal bounds and the same {@link

@@ -16,7 +16,8 @@ import dev.carom.internal.util.KindNumber;
  * World world =
  *     new World(Scene.builder().bounds(0, 0, 100, 100).circle(50, 50, 10, 8, 0).build());
  * Timeline past = world.record(100); // the last 100 units of time
- * System.out.println(world.step(6) + ", " + past.x(0, 2.5) + ", " + past.x(0, 5.5)); // true, 70.0, 86.0
+ * world.step(6);
+ * System.out.println(past.x(0, 2.5) + ", " + past.x(0, 5.5)); // 70.0, 86.0
  * }</pre>
  *
  * <p>Answers are those that the world gave at that moment, to the bit. If the world was edited at

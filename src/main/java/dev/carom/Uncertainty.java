@@ -27,11 +27,8 @@ import java.util.Arrays;
  * World world = new World(scene);
  * Uncertainty uncertainty = new Uncertainty(world, 0.01);
  * for (int frame = 1; frame <= 1000; frame++) {
- *   boolean done = world.advanceTo(frame);
+ *   world.advanceTo(frame);
  *   uncertainty.update();
- *   if (!done) {
- *     throw new IllegalStateException("unfinished at " + world.now());
- *   }
  * }
  * System.out.println(Math.round(uncertainty.lostAt(0))); // 502
  * }</pre>

@@ -28,9 +28,7 @@ import java.util.Optional;
  * <pre>{@code
  * World world =
  *     new World(Scene.builder().bounds(0, 0, 100, 100).circle(50, 50, 10, 8, 0).build());
- * if (!world.step(6)) {
- *   throw new IllegalStateException("unfinished at " + world.now());
- * }
+ * world.step(6);
  * ImpactLog impacts = world.impacts();
  * for (int i = 0; i < impacts.size(); i++) {
  *   System.out.println(impacts.kind(i) + " at " + impacts.time(i)); // WALL at 5.0
@@ -44,18 +42,18 @@ import java.util.Optional;
  *       jitters. With gravity, very low hops end, and heaps come to rest.
  *   <li><b>Steps do not matter.</b> However a run to the same time is cut into steps, it gives the
  *       same bits. The same run gives the same bits on every Java virtual machine.
- *   <li><b>Every call returns.</b> A step returns false if its budget of work is spent, and the
- *       next one goes on. A circle that would bounce at one place without end stops bouncing there,
- *       and the log says {@link Outcome#JAMMED}. Some rare scenes still do not get on: <a
- *       href="doc-files/rules.html#unfinished">what to do</a>.
+ *   <li><b>Every call ends.</b> A step throws {@link UnfinishedException} if its budget of work is
+ *       spent, and the next one goes on. A circle that would bounce at one place without end stops
+ *       bouncing there, and the log says {@link Outcome#JAMMED}. Some rare scenes still do not get
+ *       on: <a href="doc-files/rules.html#unfinished">what to do</a>.
  * </ol>
  *
- * <p>A step goes on for a time span ({@link #step step}), to a time ({@link #advanceTo advanceTo})
- * or to the next impact ({@link #advanceToImpact advanceToImpact}). Between steps a world can be
- * edited, asked ({@link #cast(Circle, Vec2, double) cast}, {@link #trace trace}, {@link #nearest
- * nearest}, {@link #overlapping(Kind, Circle) overlapping}), saved ({@link #snapshot}) and recorded
- * ({@link #record record}). A world belongs to one thread at a time. Different worlds share nothing
- * that changes.
+ * <p>A step goes on for a time span ({@link #step step}), to a time ({@link #advanceTo(double)
+ * advanceTo}) or to the next impact ({@link #advanceToImpact advanceToImpact}). Between steps a
+ * world can be edited, asked ({@link #cast(Circle, Vec2, double) cast}, {@link #trace trace},
+ * {@link #nearest nearest}, {@link #overlapping(Kind, Circle) overlapping}), saved ({@link
+ * #snapshot}) and recorded ({@link #record record}). A world belongs to one thread at a time.
+ * Different worlds share nothing that changes.
  *
  * <p>See <a href="doc-files/rules.html">Rules and limits</a>: contact, edits, questions, budget,
  * stuck circles, moving obstacles, gravity, infinite mass, accuracy. <a
@@ -81,8 +79,11 @@ public final class World {
   final WorldQueries questions;
   private double now;
 
-  /** The id of the circle that spent the budget of the last step, or -1. */
-  private int unfinishedCircle = -1;
+  /** The time at which calls of {@link #advanceToImpact} share a budget, NaN for none. */
+  private double sharedAt = Double.NaN;
+
+  /** The work of all calls with which the shared budget is spent. */
+  private long sharedLimit;
 
   /** Null unless flights are recorded. */
   private TimelineRecorder recorder;
@@ -134,73 +135,84 @@ public final class World {
   /**
    * Advances the world by a time span, to the double nearest to {@code now() + dt}.
    *
-   * <p>All impacts until then are resolved, and {@link #impacts} lists them. If the budget of work
-   * is spent first, no impact is dropped: the world stands at an earlier time, or at the requested
-   * one with impacts still to come. Read the log, then call {@link #advanceTo advanceTo} with the
-   * time that was to be reached: see <a href="doc-files/rules.html#unfinished">unfinished
-   * steps</a>.
-   *
-   * <p>Programs that count frames call {@link #advanceTo advanceTo} instead, whose times do not
-   * drift: see <a href="doc-files/recipes.html#frames">frames and netcode</a>.
+   * <p>All impacts until then are resolved, and {@link #impacts} lists them. Programs that count
+   * frames call {@link #advanceTo(double) advanceTo} instead, whose times do not drift: see <a
+   * href="doc-files/recipes.html#frames">frames and netcode</a>.
    *
    * @param dt the time span. It is 0, or large enough to move the clock: more than about 1e-16
    *     times {@link #now}
-   * @return true if all impacts until that time are resolved, false if the budget of work was spent
-   *     before
+   * @throws UnfinishedException if the usual budget of work is spent before, as by {@link
+   *     #advanceTo(double) advanceTo}
    * @throws IllegalArgumentException if dt is NaN or negative, or the time it leads to is infinite;
    *     or if dt is more than 0 and that time is still now: a loop of such steps would never end
    */
-  public boolean step(double dt) {
+  public void step(double dt) {
     if (!(dt >= 0 && now + dt <= Double.MAX_VALUE)) {
       throw Check.refused("dt", dt, "at least 0, and a finite time after " + now);
     }
     if (now + dt == now && dt > 0) {
       throw Check.refused("dt", dt, "0, or enough to move the clock on from " + now);
     }
-    return advance(now + dt);
+    advanceTo(now + dt);
   }
 
   /**
    * Advances the world to a given time, exactly.
    *
-   * <p>All impacts until then are resolved, and {@link #impacts} lists them. If the budget of work
-   * is spent first, nothing is dropped: the world stands at an earlier time, or at the requested
-   * one with impacts still to come. Read the log, then call again with the same time, or with a
-   * later one. See <a href="doc-files/rules.html#unfinished">unfinished steps</a>.
+   * <p>All impacts until then are resolved, and {@link #impacts} lists them. The budget of work is
+   * 2,000,000 impacts and 1,000 more for each circle: few scenes ever spend it in a call.
    *
    * @param t the time, finite and at least {@link #now()}
-   * @return true if all impacts until that time are resolved, false if the budget of work was spent
-   *     before
+   * @throws UnfinishedException if the budget is spent before. Nothing is dropped: the world stands
+   *     at an earlier time, or at the requested one with impacts still to come. The log has the
+   *     impacts so far, and another call goes on: see <a
+   *     href="doc-files/rules.html#unfinished">unfinished steps</a>
    * @throws IllegalArgumentException if t is NaN, infinite, or earlier than now
    */
-  public boolean advanceTo(double t) {
-    checkGoal(t);
-    return advance(t + 0.0); // 0 for -0
-  }
-
-  private void checkGoal(double t) {
-    if (!(t >= now && t <= Double.MAX_VALUE)) {
-      throw Check.refused("t", t, "a finite time, at least now, " + now);
+  public void advanceTo(double t) {
+    if (!advanceTo(t, engine.usualWork())) {
+      throw unfinished(t);
     }
   }
 
-  private boolean advance(double end) {
+  /**
+   * Advances the world towards a given time, with a bounded amount of work. It is for programs that
+   * would rather be late than slow: call it again, with the same time or with a later one, to go
+   * on.
+   *
+   * <p>The bound decides how far one call comes. However a run is cut by it, all bits are the same.
+   * {@link #impacts} lists the impacts of this call. A world stands still at the time that it
+   * reached, at an earlier time or at the requested one with impacts still to come.
+   *
+   * @param t the time, finite and at least {@link #now()}
+   * @param work how many impacts and other events may be resolved, at least 1: see <a
+   *     href="doc-files/rules.html#unfinished">unfinished steps</a>. Circles that ignore each other
+   *     share it; each makes at least one impact
+   * @return true if all impacts until that time are resolved, false if the work was done before
+   * @throws IllegalArgumentException if t is NaN, infinite, or earlier than now, or work is less
+   *     than 1
+   */
+  public boolean advanceTo(double t, long work) {
+    checkGoal(t);
+    if (work < 1) {
+      throw Check.refused("work", work, "at least 1");
+    }
     begin();
-    finish(engine.advance(end));
-    return now == end && !engine.unfinished;
+    finish(engine.advance(t + 0.0, work)); // 0 for -0
+    return !engine.unfinished;
   }
 
   /**
    * Advances the world to the next impact, or to a given time if that is first.
    *
    * <p>With it a program acts at the moment of an impact: it turns a paddle, opens a portal, plays
-   * a sound. Calls in a row give the same impacts, to the bit, as one call of {@link #advanceTo
-   * advanceTo}. A contact that a sensor reports counts as an impact.
+   * a sound. Calls in a row give the same impacts, to the bit, as one call of {@link
+   * #advanceTo(double) advanceTo}. A contact that a sensor reports counts as an impact.
    *
    * <pre>{@code
    * World world =
    *     new World(Scene.builder().bounds(0, 0, 100, 100).circle(50, 50, 10, 8, 0).build());
-   * while (world.advanceToImpact(10) == StopReason.IMPACT) {
+   * while (world.advanceToImpact(10)) {
    *   System.out.println(world.impacts().kind(0) + " at " + world.now()); // WALL at 5.0
    * }
    * }</pre>
@@ -210,30 +222,41 @@ public final class World {
    * impact. The log holds all impacts up to there, sometimes several at one time.
    *
    * @param t the latest time, finite and at least {@link #now()}
-   * @return why the world stopped: at an impact, at the time t, or because its budget was spent
+   * @return true at an impact, false at the time t without one
+   * @throws UnfinishedException if the usual budget of work is spent before, as by {@link
+   *     #advanceTo(double) advanceTo}. Calls that do not move the clock share one budget, so a loop
+   *     whose edits cause impacts without end is found, too
    * @throws IllegalArgumentException if t is NaN, infinite, or earlier than now
    */
-  public StopReason advanceToImpact(double t) {
+  public boolean advanceToImpact(double t) {
     checkGoal(t);
-    begin();
-    do { // the end of a slide is no impact
-      finish(engine.advanceToImpact(t + 0.0));
-    } while (rows.size() == 0 && now < t && !engine.unfinished);
-    if (engine.unfinished) {
-      return StopReason.BUDGET;
+    if (sharedAt != now) {
+      sharedAt = now;
+      sharedLimit = engine.spent + engine.usualWork();
     }
-    return rows.size() > 0 ? StopReason.IMPACT : StopReason.TIME;
+    begin();
+    do { // a tick or the end of a slide is no impact
+      finish(engine.advanceToImpact(t + 0.0, sharedLimit - engine.spent));
+    } while (rows.size() == 0 && now < t && !isSharedSpent());
+    if (isSharedSpent()) {
+      sharedAt = Double.NaN;
+      throw unfinished(t);
+    }
+    return rows.size() > 0;
   }
 
-  /**
-   * Returns the circle that spent most of the budget of the last step, if that step was unfinished.
-   * Where circles collide, it is the one with the most impacts; where they ignore each other, each
-   * has a budget of its own, and it is the first one that spent it.
-   *
-   * @return its id; -1 if that step was finished
-   */
-  public int unfinishedCircle() {
-    return unfinishedCircle;
+  private boolean isSharedSpent() {
+    return engine.unfinished || engine.spent >= sharedLimit;
+  }
+
+  private void checkGoal(double t) {
+    if (!(t >= now && t <= Double.MAX_VALUE)) {
+      throw Check.refused("t", t, "a finite time, at least now, " + now);
+    }
+  }
+
+  private UnfinishedException unfinished(double t) {
+    return new UnfinishedException(now, t, registry.id(engine.spender()));
   }
 
   private void begin() {
@@ -247,7 +270,6 @@ public final class World {
   private void finish(double reached) {
     rows.sort();
     now = reached;
-    unfinishedCircle = engine.unfinished ? registry.id(engine.spender) : -1;
     if (recorder != null) {
       recorder.advance(now);
     }
@@ -439,16 +461,6 @@ public final class World {
    */
   public int idLimit(Kind kind) {
     return ids.end(number(kind));
-  }
-
-  /**
-   * Describes the engine that this world chose for its scene: the smallest one that is still exact.
-   * The engine decides the cost of a step, and no bit of its results.
-   *
-   * @return a phrase for people; its form may change
-   */
-  public String engineDescription() {
-    return engine.engineDescription();
   }
 
   /** Returns the code of a thing that exists; any other id is refused. */
@@ -1014,7 +1026,7 @@ public final class World {
     }
     rows.clear();
     questions.forget();
-    unfinishedCircle = -1;
+    sharedAt = Double.NaN;
     now = state.now();
     registry.set(state.registry());
     editor.limits.set(state.limits());
@@ -1078,22 +1090,19 @@ public final class World {
   }
 
   /**
-   * Describes the world for a debugger: its time, what it holds, and the impacts of the last step.
+   * Describes the world for a debugger: its time, circles and bounds, the impacts of the last step,
+   * and the search structures that it chose.
    *
    * @return a text for people; its form may change
    */
   @Override
   public String toString() {
-    String form =
-        "World[now=%s, %s circles that %s, %s lines, %s pegs, bounds %s,"
-            + " %s impacts in the last step]";
-    return form.formatted(
-        now,
-        circleCount(),
-        scene.collide() ? "collide" : "ignore each other",
-        obstacles.lines.present().count(),
-        obstacles.ofKind(KindNumber.PEG).present().count(),
-        PublicRecords.describe(scene.data.obstacles.walls),
-        log.size());
+    return "World[now=%s, %s circles, bounds %s, %s impacts in the last step; %s]"
+        .formatted(
+            now,
+            circleCount(),
+            PublicRecords.describe(scene.data.obstacles.walls),
+            log.size(),
+            engine.description());
   }
 }

@@ -10,7 +10,7 @@
  * <pre>{@code
  * World world =
  *     new World(Scene.builder().line(0, 0, 0, 10).circle(-15, 4, 5, 20, 0).build());
- * System.out.println(world.step(1)); // true
+ * world.step(1);
  * System.out.println(world.impacts().time(0) + ", " + world.x(0)); // 0.5, -15.0
  * }</pre>
  *
@@ -77,9 +77,9 @@
  *       step allocates memory only while a timeline is recorded, when its log or another list
  *       grows, when exact arithmetic has to decide, when a circle jams, after edits, and under
  *       gravity when circles settle, slide or lie on each other.
- *   <li>A step always ends. If its budget is spent, it returns false, and {@link
- *       dev.carom.World#advanceTo advanceTo} goes on. A circle that would bounce at one place
- *       without end stops bouncing there, and the log says so.
+ *   <li>A step always ends. If its budget is spent, it throws {@link
+ *       dev.carom.UnfinishedException}, and the next call goes on. A circle that would bounce at
+ *       one place without end stops bouncing there, and the log says so.
  * </ul>
  *
  * <h2 id="conventions">Conventions</h2>
@@ -129,7 +129,7 @@
  * virtual machine. Trajectories are computed with correctly rounded operations and {@link
  * java.lang.StrictMath} alone, in a fixed order. The bits do not depend on how the time is cut into
  * steps, as long as it ends at the same moment and nothing is edited between. {@link
- * dev.carom.World#advanceTo World.advanceTo} names that moment exactly.
+ * dev.carom.World#advanceTo(double) World.advanceTo} names that moment exactly.
  *
  * <p>Without fused multiply-add in hardware, or with {@code -XX:-UseFMA}, the bits are the same,
  * but each such operation takes big numbers: a frame of 100 circles among 100 lines then took 1.8

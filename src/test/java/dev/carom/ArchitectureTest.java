@@ -44,7 +44,7 @@ class ArchitectureTest {
 
   private static final String WORLD =
       " Scene SceneBuilder SceneFormatException Response Traits World WorldQueries ImpactLog Outcome"
-          + " StopReason Snapshot Timeline Uncertainty";
+          + " UnfinishedException Snapshot Timeline Uncertainty";
 
   private static final Class<?> REFUSAL = IllegalArgumentException.class;
 
@@ -154,7 +154,7 @@ class ArchitectureTest {
             CLASSES.stream()
                 .filter(type -> type.isAssignableTo(Throwable.class))
                 .map(JavaClass::getSimpleName))
-        .containsExactlyInAnyOrder("SceneFormatException", "RowException");
+        .containsExactlyInAnyOrder("SceneFormatException", "RowException", "UnfinishedException");
     assertThatThrownBy(() -> new Vec2(Double.NaN, 0)).isExactlyInstanceOf(REFUSAL);
     World world = new World(Scene.builder().circle(0, 0, 1, 1, 0).build());
     assertThatThrownBy(() -> world.setRadius(0, -1)).isExactlyInstanceOf(REFUSAL);

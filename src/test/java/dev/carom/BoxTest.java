@@ -60,7 +60,7 @@ class BoxTest {
     World world = new World(scene);
     double worst = 0;
     for (int frame = 1; frame <= FRAMES; frame++) {
-      Run.step(world, 1);
+      world.step(1);
       double dx = error(world.x(0), 400, vx, frame, 800);
       double dy = error(world.y(0), 300, vy, frame, 600);
       worst = Math.max(worst, Math.hypot(dx, dy) / RADIUS);

@@ -22,7 +22,7 @@ class BudgetTest {
   private static final int EACH = 100;
 
   /** A cell holds the whole room: then every event is an impact. */
-  private static final EngineOptions ONE_CELL = new EngineOptions(true, 0, 1000, 1, 0.1);
+  private static final EngineOptions ONE_CELL = new EngineOptions(true, 0, 1000, 1);
 
   /**
    * They turn each other round at a half, 2.5 and so on, and a unit of time later each is turned
@@ -33,16 +33,16 @@ class BudgetTest {
     SceneBuilder row = Scene.builder().bounds(0, 0, 12, 10).collide(true);
     row.circle(3, 5, 1, 4, 0).circle(9, 5, 1, -4, 0);
     World world = new World(row.build(), ONE_CELL);
-    assertThat(world.advanceTo(0.5)).isTrue();
+    world.advanceTo(0.5);
     int events = MOST + 2 * EACH;
-    assertThat(world.advanceTo(2e6)).isFalse();
+    assertThat(world.advanceTo(2e6, events)).isFalse();
     assertThat(world.impacts().size()).isEqualTo(events);
     assertThat(world.now())
         .as("of two at a time, one is left")
         .isEqualTo((events - 1) / 3 * 2 + 1.5);
-    assertThat(world.advanceTo(world.now())).isTrue();
+    world.advanceTo(world.now());
     assertThat(world.impacts().size()).isOne();
-    assertThat(world.advanceTo(world.now() + 2)).isTrue();
+    world.advanceTo(world.now() + 2);
     assertThat(world.impacts().size()).isEqualTo(3);
   }
 
@@ -54,11 +54,12 @@ class BudgetTest {
     for (int i = 1; i < circles; i++) {
       scene.circle(5, 5, 1, 0, 0);
     }
-    World world = new World(scene.build(), EngineOptions.budget(0.1));
+    World world = new World(scene.build());
     int most = MOST;
-    assertThat(world.advanceTo(most - 0.5)).as("as many as allowed").isTrue();
+    long work = Run.work(world, EACH);
+    world.advanceTo(most - 0.5, work);
     assertThat(world.impacts().size()).isEqualTo(most);
-    assertThat(world.advanceTo(2 * most + 0.5)).as("one more").isFalse();
+    assertThat(world.advanceTo(2 * most + 0.5, work)).as("one more").isFalse();
     assertThat(world.impacts().size()).isEqualTo(most);
     assertThat(world.now()).isEqualTo(2 * most - 0.5);
   }
@@ -68,9 +69,11 @@ class BudgetTest {
   void eachMayMakeAThousandImpactsBesides() {
     SceneBuilder scene = Scene.builder().bounds(0, 0, 10, 10).circle(5, 5, 1, 0x1p11, 0);
     World world = new World(scene.circle(5, 5, 1, 8, 0).circle(5, 5, 1, 9, 0).build());
-    assertThat(world.advanceTo(999)).as("the first one makes 255,744 impacts").isTrue();
+    world.advanceTo(999);
     world.setVelocity(0, 0x1p14, 0);
-    assertThat(world.advanceTo(1998)).as("it would make 2,045,952").isFalse();
+    assertThat(world.advanceTo(1998, Run.work(world, 1_000)))
+        .as("it would make 2,045,952")
+        .isFalse();
     int[] impacts = new int[3];
     for (int i = 0; i < world.impacts().size(); i++) {
       impacts[world.impacts().circle(i)]++;
@@ -117,7 +120,7 @@ class BudgetTest {
   void exactWorkAndImpactsOfOneCallSpendItsBudgetTogether() {
     World world = new World(nearTies(true), ONE_CELL);
     long before = bits();
-    assertThat(world.advanceTo(1e9)).isFalse();
+    assertThat(world.advanceTo(1e9, MOST + EACH)).isFalse();
     long work = workSince(before);
     assertThat(work).isGreaterThan(10_000);
     assertThat(world.impacts().size() + work).isBetween((long) MOST + EACH, MOST + EACH + 100L);
@@ -126,9 +129,9 @@ class BudgetTest {
   /** The same, but all is done twice: for where the first circle spends its own, nobody knows. */
   @Test
   void exactWorkAndImpactsOfOneCircleSpendItsBudgetTogether() {
-    World world = new World(nearTies(false), EngineOptions.budget(1.0 / 200));
+    World world = new World(nearTies(false));
     long before = bits();
-    assertThat(world.advanceTo(1e9)).isFalse();
+    assertThat(world.advanceTo(1e9, Run.work(world, 5))).isFalse();
     long work = workSince(before) / 2;
     assertThat(work).isGreaterThan(5_000);
     assertThat(world.impacts().size() + work).isBetween(10_000L, 10_100L);
@@ -195,12 +198,12 @@ class BudgetTest {
     for (int i = 0; i < 11_000; i++) {
       scene.peg(10 + i * 0.5, 0, 0.1).response(Response.SENSOR);
     }
-    World world = new World(scene.build(), EngineOptions.budget(1.0 / 200));
-    assertThat(world.advanceTo(5)).isTrue();
-    assertThat(world.advanceTo(8000)).isFalse();
+    World world = new World(scene.build());
+    world.advanceTo(5);
+    assertThat(world.advanceTo(8000, Run.work(world, 5))).isFalse();
     assertThat(world.impacts().size()).isEqualTo(10_000);
     assertThat(world.now()).isEqualTo(world.impacts().time(9_999)).isBetween(5_000.0, 5_010.0);
-    assertThat(world.advanceTo(8000)).isTrue();
+    world.advanceTo(8000);
     assertThat(world.impacts().size()).isEqualTo(1_000);
     assertThat(world.now()).isEqualTo(8000);
   }
@@ -217,32 +220,11 @@ class BudgetTest {
     for (int i = 0; i < 2_200; i++) {
       scene.line(10, -5, 10, 5).response(Response.SENSOR);
     }
-    World world = new World(scene.build(), EngineOptions.budget(1.0 / 1_000));
-    assertThat(world.advanceTo(9)).isFalse();
+    World world = new World(scene.build());
+    assertThat(world.advanceTo(9, Run.work(world, 1))).isFalse();
     assertThat(world.impacts().size()).isEqualTo(2_000);
     assertThat(world.now()).isEqualTo(9);
-    assertThat(world.advanceTo(9)).isTrue();
+    world.advanceTo(9);
     assertThat(world.impacts().size()).isEqualTo(200);
-  }
-
-  /** A fast circle between two walls, with others that fly by: it is the one that is named. */
-  @ParameterizedTest
-  @ValueSource(booleans = {false, true})
-  void theWorldNamesTheCircleThatSpentTheBudget(boolean collide) {
-    SceneBuilder scene = Scene.builder().collide(collide).bounds(0, 0, 100, 100);
-    for (int i = 0; i < 5; i++) {
-      scene.circle(50, 10 + 20 * i, 5, i == 3 ? 1e9 : 1, 0);
-    }
-    World world = new World(scene.build(), EngineOptions.budget(1.0 / 200));
-    assertThat(world.unfinishedCircle()).isEqualTo(-1);
-    world.remove(Kind.CIRCLE, 1);
-    assertThat(world.advanceTo(1)).isFalse();
-    assertThat(world.unfinishedCircle()).isEqualTo(3);
-    assertThat(world.advanceTo(world.now())).isTrue();
-    assertThat(world.unfinishedCircle()).isEqualTo(-1);
-    assertThat(world.step(1)).isFalse();
-    world.restore(new World(world.scene()).snapshot());
-    assertThat(world.unfinishedCircle()).isEqualTo(-1);
-    assertThat(world.advanceToImpact(1)).isEqualTo(StopReason.IMPACT);
   }
 }

@@ -55,7 +55,7 @@ class ClockTest {
 
   private static World late() {
     World world = new World(scene(LATE));
-    Run.to(world, LATE);
+    world.advanceTo(LATE);
     return world;
   }
 
@@ -101,8 +101,8 @@ class ClockTest {
     World late = late();
     World early = early();
     for (int frame = 1; frame <= FRAMES; frame++) {
-      Run.step(late, 1);
-      Run.step(early, 1);
+      late.step(1);
+      early.step(1);
       for (int i = 0; i < CIRCLES; i++) {
         assertThat(late.x(i)).isCloseTo(early.x(i), within(0x1p-42));
         assertThat(late.y(i)).isCloseTo(early.y(i), within(0x1p-42));

@@ -40,7 +40,7 @@ class ComingToRestTest {
     World world = new World(box().circle(50, 17, 1, 0, 0).restitution(0.8).build());
     double height = 16;
     for (int i = 0; i < 10; i++) {
-      assertThat(world.advanceToImpact(1e9)).isEqualTo(StopReason.IMPACT);
+      assertThat(world.advanceToImpact(1e9)).isTrue();
       height *= 0.64;
       assertThat(world.vy(0) * world.vy(0) / 20).isCloseTo(height, within(1e-12 * 16));
     }
@@ -88,7 +88,7 @@ class ComingToRestTest {
     }
     World world = new World(builder.build());
     for (int i = 1; i <= 100; i++) {
-      assertThat(world.advanceTo(1.2 * i / speed)).as("part %d of its way", i).isTrue();
+      world.advanceTo(1.2 * i / speed);
     }
   }
 

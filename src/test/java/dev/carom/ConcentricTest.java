@@ -20,7 +20,7 @@ class ConcentricTest {
   private int rows;
 
   private void step(World world, double dt) {
-    Run.step(world, dt);
+    world.step(dt);
     ImpactLog log = world.impacts();
     for (int row = 0; row < log.size(); row++, rows++) {
       assertThat(Math.hypot(log.nx(row), log.ny(row))).isCloseTo(1, within(1e-15));

@@ -31,9 +31,9 @@ class ContactExactTest {
     SceneBuilder scene = falling().line(-50, 0, 50, 0);
     World world = new World(scene.circle(0, 110, 10, 0, 0).restitution(e).build());
     double rest = Math.sqrt(2 * 100 / G) * (1 + e) / (1 - e);
-    assertThat(world.advanceTo(rest * (1 - 1e-6))).isTrue();
+    world.advanceTo(rest * (1 - 1e-6));
     assertThat(world.isResting(0)).isFalse();
-    assertThat(world.advanceTo(rest * (1 + 1e-6))).isTrue();
+    world.advanceTo(rest * (1 + 1e-6));
     assertThat(world.isResting(0)).isTrue();
     assertThat(world.y(0)).as("no hovering").isCloseTo(10, within(1e-12));
   }
@@ -64,7 +64,7 @@ class ContactExactTest {
   @CsvSource({"5, 1", "5, 2", "10, 1", "10, 3", "3, 2"})
   void aCradleOnTheFloor(int standing, int coming) {
     World world = new World(row(falling(), standing, coming, 1, 0).build());
-    assertThat(world.advanceTo(150)).isTrue();
+    world.advanceTo(150);
     for (int i = 0; i < standing + coming; i++) {
       double right = i >= standing ? 1 : 0;
       assertThat(world.vx(i)).as("ball %d", i).isCloseTo(right, within(1e-12));
@@ -105,7 +105,7 @@ class ContactExactTest {
     SceneBuilder weightless = Scene.builder().collide(true);
     ContactRun right = new ContactRun(new World(row(weightless, standing, coming, e, gap).build()));
     for (int t = 50; t <= 800; t += 150) {
-      assertThat(falling.advanceTo(t)).isTrue();
+      falling.advanceTo(t);
       right.play(t, t);
       boolean stuck = !right.jammed.isEmpty();
       for (int i = 0; i < standing + coming && (!stuck || t == 800); i++) {
@@ -124,7 +124,7 @@ class ContactExactTest {
   @Test
   void aTouchingRowThatTwoHitPartsABit() {
     World world = new World(row(falling(), 3, 2, 0.3, 0).build());
-    assertThat(world.advanceTo(800)).isTrue();
+    world.advanceTo(800);
     double sum = 0;
     for (int i = 0; i < 5; i++) {
       sum += world.vx(i);
@@ -139,7 +139,7 @@ class ContactExactTest {
   void aSliderLeavesAWall(double speed, double e) {
     SceneBuilder scene = falling().line(0, 0, 1000, 0).line(0, 0, 0, 50);
     World world = new World(scene.circle(11, 10, 10, -speed, 0).restitution(e).build());
-    assertThat(world.advanceTo(2 / speed)).isTrue();
+    world.advanceTo(2 / speed);
     assertThat(world.vx(0)).isCloseTo(e * speed, within(1e-15));
     assertThat(world.x(0)).isCloseTo(10 + e, within(1e-9));
     assertThat(world.y(0)).isEqualTo(10);
@@ -159,7 +159,7 @@ class ContactExactTest {
     for (boolean collide : new boolean[] {false, true}) {
       SceneBuilder scene = falling().collide(collide).peg(0, 0, 10);
       World world = new World(scene.circle(x, y + 1e-9, 10, 0, 0).restitution(e).build());
-      assertThat(world.advanceTo(time)).isTrue();
+      world.advanceTo(time);
       double error = Math.hypot(world.x(0) - right.x(), world.y(0) - right.y());
       assertThat(error / right.path()).isLessThan(ROUND);
     }
@@ -186,7 +186,7 @@ class ContactExactTest {
       World world = new World(scene.build());
       double time = Math.sqrt(rho / G) * (4.1 - Math.log(theta));
       PlainRolling.Place right = PlainRolling.after(rho, theta, 0, G, time);
-      assertThat(world.advanceTo(time)).isTrue();
+      world.advanceTo(time);
       sum += Math.hypot(world.x(0) - right.x(), world.y(0) - right.y()) / right.path();
     }
     return sum / 10;
@@ -224,7 +224,7 @@ class ContactExactTest {
     double step = 10 * Math.sqrt(size);
     for (int k = 1; k <= 30; k++) {
       right.advance(step);
-      assertThat(world.advanceTo(k * step)).isTrue();
+      world.advanceTo(k * step);
       double error = Math.hypot(world.x(0) - right.x(), world.y(0) - right.y());
       String name = "at " + k * step + ", path " + right.path;
       assertThat(error).as(name).isLessThan(1e-9 * (1 + right.path));
@@ -251,7 +251,7 @@ class ContactExactTest {
     for (double t : new double[] {10, 15, 20}) {
       double[] right = PlainWedge.after(20, theta, balls * mass, 1, G, t);
       double path = right[0] - 20 * Math.sin(theta);
-      assertThat(world.advanceTo(t)).isTrue();
+      world.advanceTo(t);
       for (int side = 0; side < 2; side++) {
         double x = Math.abs(world.x(side));
         assertThat(x).as("at %s", t).isCloseTo(right[0], within(ROUND * 20 + error * path));

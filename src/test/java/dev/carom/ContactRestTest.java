@@ -36,7 +36,7 @@ class ContactRestTest {
     double[] state = new ContactRun(world).state();
     Meter meter = new Meter();
     long bytes = meter.bytes();
-    assertThat(world.advanceTo(world.now() + LONG)).isTrue();
+    world.advanceTo(world.now() + LONG);
     assertThat(meter.bytes() - bytes).isLessThan(100_000);
     assertThat(world.impacts().size()).isZero();
     assertThat(new ContactRun(world).state()).isEqualTo(state);
@@ -68,7 +68,7 @@ class ContactRestTest {
     world.setTraits(Kind.CIRCLE, id, world.traits(Kind.CIRCLE, id).withRestitution(e));
     int moved = 0;
     for (int k = 0; k < 600; k++) {
-      assertThat(world.step(1)).isTrue();
+      world.step(1);
       for (int i = 0; i < 80; i++) {
         boolean isLeft = world.x(i) < 250;
         moved += isLeft && !world.isResting(i) ? 1 : 0;
@@ -109,7 +109,7 @@ class ContactRestTest {
     double[] before = run.state();
     double start = world.now();
     double span = 1e5;
-    assertThat(world.advanceTo(start + span)).isTrue();
+    world.advanceTo(start + span);
     assertThat(world.impacts().size()).isZero();
     for (int i = 0; i < 20; i++) {
       assertThat(world.x(i)).isCloseTo(before[4 * i] + span * vx, within(1e-6));
@@ -159,7 +159,7 @@ class ContactRestTest {
     world.remove(Kind.CIRCLE, lowest);
     int woken = 0;
     for (int k = 0; k < 600; k++) {
-      assertThat(world.step(1)).isTrue();
+      world.step(1);
       for (int i : world.ids(Kind.CIRCLE)) {
         woken += world.isResting(i) ? 0 : 1;
       }

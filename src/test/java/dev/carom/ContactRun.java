@@ -145,8 +145,10 @@ public final class ContactRun {
   }
 
   private void advance(double time) {
-    if (!world.advanceTo(time)) {
-      unfinishedText = "unfinished at " + world.now() + " by circle " + world.unfinishedCircle();
+    try {
+      world.advanceTo(time);
+    } catch (UnfinishedException e) {
+      unfinishedText = e.getMessage();
     }
     read(world.impacts());
     check();

@@ -69,8 +69,8 @@ class ContactTracksTest {
       World right = world(one, start, e);
       World world = world(many, start, e);
       for (int t = 20; t <= 400; t += 20) {
-        assertThat(right.advanceTo(t)).isTrue();
-        assertThat(world.advanceTo(t)).as("seed %s at %s", seed, t).isTrue();
+        right.advanceTo(t);
+        world.advanceTo(t);
         if (right.x(0) < 40 * pieces * dx - 40) {
           assertThat(world.x(0)).as("seed %s at %s", seed, t).isCloseTo(right.x(0), within(1e-8));
           assertThat(world.y(0)).as("seed %s at %s", seed, t).isCloseTo(right.y(0), within(1e-8));
@@ -95,7 +95,7 @@ class ContactTracksTest {
       double x = at + 10 * slope / s;
       double y = -at * slope + 10 / s + 1e-9;
       World world = new World(scene.circle(x, y, 10, 0, 0).restitution(0).build());
-      assertThat(world.advanceTo(100)).isTrue();
+      world.advanceTo(100);
       double a = PlainTrack.G * slope / s;
       double way = a * 100 * 100 / 2 / s;
       assertThat(world.isResting(0)).isFalse();

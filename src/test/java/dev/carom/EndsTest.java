@@ -2,9 +2,9 @@
 package dev.carom;
 
 import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.assertThatThrownBy;
 import static org.assertj.core.api.Assertions.within;
 
-import dev.carom.internal.state.EngineOptions;
 import java.util.ArrayList;
 import java.util.List;
 import org.junit.jupiter.api.Test;
@@ -19,8 +19,6 @@ class EndsTest {
   private static final int PATIENCE = 1_536;
 
   /** For a call to have work for some thousand impacts only. */
-  private static final EngineOptions SMALL_BUDGET = EngineOptions.budget(1.0 / 200);
-
   private static long jammed(Run run) {
     return run.impacts().stream().filter(row -> row.outcome() == Outcome.JAMMED).count();
   }
@@ -73,7 +71,7 @@ class EndsTest {
   @Test
   void aJammedCircleStaysSo() {
     World world = new World(wedge(1).build());
-    Run.to(world, 100);
+    world.advanceTo(100);
     Run.State before = Run.states(world).get(0);
     Run later = Run.advance(world, 1e3, 1e6, 1e9);
     assertThat(later.impacts()).isEmpty();
@@ -151,7 +149,7 @@ class EndsTest {
               .line(4 * nx - 99 * wx, 4 * ny - 99 * wy, 4 * nx + 99 * wx, 4 * ny + 99 * wy)
               .circle(2 * nx, 2 * ny, 2 + ulps * Math.ulp(2.0), 1, 0.5);
       World world = new World(builder.build());
-      assertThat(world.advanceTo(20)).isTrue();
+      world.advanceTo(20);
       assertThat(world.impacts().size()).isLessThan(2_000);
       assertThat(Math.hypot(world.vx(0), world.vy(0))).isLessThan(Math.hypot(1, 0.5) + 1e-12);
       double across = world.x(0) * nx + world.y(0) * ny;
@@ -164,7 +162,7 @@ class EndsTest {
     SceneBuilder setup = Scene.builder().peg(0, 0, 1).peg(4, 0, 1).peg(2, -Math.sqrt(3), 0);
     Scene scene = setup.circle(2, 0, Math.sqrt(3), 0.5, -1).build();
     World world = new World(scene);
-    assertThat(world.advanceTo(10)).isTrue();
+    world.advanceTo(10);
     assertThat(world.impacts().size()).isLessThan(4 * PATIENCE);
     assertThat(world.y(0)).isGreaterThan(-1e-9);
   }
@@ -175,9 +173,9 @@ class EndsTest {
   void bumpersAboveOneOnAllSidesEndInADefinedState(double vx, double vy) {
     SceneBuilder scene = Scene.builder().bounds(0, 0, 10, 10).restitution(1.5);
     World world = new World(scene.circle(5, 4, 1.5, vx, vy).build());
-    boolean complete = world.advanceTo(60);
+    boolean complete = world.advanceTo(60, Run.WORK);
     for (int call = 1; call < 5 && !complete; call++) {
-      complete = world.advanceTo(60);
+      complete = world.advanceTo(60, Run.WORK);
     }
     assertThat(complete).isTrue();
     assertThat(world.x(0)).isBetween(1.5 - 1e-9, 8.5 + 1e-9);
@@ -196,7 +194,7 @@ class EndsTest {
     SceneBuilder scene = Scene.builder().collide(true).bounds(0, 0, 40, 40).restitution(1.1);
     scene.circle(37, 20, 2, 0, 0).mass(1e-3).circle(20, 20.5, 3, 1, 0);
     World world = new World(scene.build());
-    assertThat(world.advanceTo(100)).isTrue();
+    world.advanceTo(100);
     for (int i = 0; i < 2; i++) {
       assertThat(world.x(i)).isBetween(2 - 1e-9, 38 + 1e-9);
       assertThat(world.y(i)).isBetween(2 - 1e-9, 38 + 1e-9);
@@ -209,10 +207,10 @@ class EndsTest {
   @Test
   void aWallAlongWhichACircleSlidIsThereForItWhenAPegTurnsIt() {
     World world = new World(Scene.builder().bounds(-100, 0, 100, 4).circle(0, 2, 2, 1, 1).build());
-    Run.to(world, 0);
+    world.advanceTo(0);
     world.addCircle(50, 2, 1, 0, 0, Traits.DEFAULT);
     world.addPeg(2, 4, 2 * Math.sqrt(2) - 2, Traits.DEFAULT);
-    Run.to(world, 20);
+    world.advanceTo(20);
     assertThat(world.y(0)).isBetween(2 - 1e-9, 2 + 1e-9);
   }
 
@@ -232,16 +230,16 @@ class EndsTest {
 
   @Test
   void aStepThatSpendsItsBudgetSaysSo() {
-    World world = new World(busy(), SMALL_BUDGET);
-    assertThat(world.advanceTo(LONG)).isFalse();
+    World world = new World(busy());
+    assertThat(world.advanceTo(LONG, Run.work(world, 5))).isFalse();
     assertThat(world.now()).isPositive().isLessThan(LONG);
     assertThat(world.impacts().size()).isPositive();
   }
 
   @Test
   void anUnfinishedWorldStandsAtAnEarlierTimeAsAWhole() {
-    World world = new World(busy(), SMALL_BUDGET);
-    assertThat(world.advanceTo(LONG)).isFalse();
+    World world = new World(busy());
+    assertThat(world.advanceTo(LONG, Run.work(world, 5))).isFalse();
     World reference = new World(busy());
     Run expected = Run.advance(reference, world.now());
     assertThat(Run.states(world)).isEqualTo(expected.end());
@@ -250,13 +248,13 @@ class EndsTest {
 
   @Test
   void furtherCallsGoOnAndNothingIsDropped() {
-    World world = new World(busy(), SMALL_BUDGET);
+    World world = new World(busy());
     List<Run.Row> rows = new ArrayList<>();
     int calls = 0;
     boolean complete;
     do {
       double before = world.now();
-      complete = world.advanceTo(LONG);
+      complete = world.advanceTo(LONG, Run.work(world, 5));
       rows.addAll(Run.rows(world.impacts()));
       assertThat(world.now()).isGreaterThan(before);
       calls++;
@@ -271,11 +269,11 @@ class EndsTest {
   void anUnfinishedStepTakesBackNothingButItsOwn() {
     SceneBuilder builder = Scene.builder().bounds(0, 0, 64, 64);
     builder.circle(32, 32, 1, 0, 0);
-    World world = new World(builder.circle(50, 32, 1, 8, 0).build(), SMALL_BUDGET);
-    Run.step(world, 2);
+    World world = new World(builder.circle(50, 32, 1, 8, 0).build());
+    world.step(2);
     assertThat(world.impacts().size()).isOne();
     world.setVelocity(0, 0x1p21, 0);
-    assertThat(world.step(1)).isFalse();
+    assertThat(world.advanceTo(3, Run.work(world, 5))).isFalse();
     assertThat(Run.rows(world.impacts())).allMatch(row -> row.circle() == 0);
     assertThat(world.vx(1)).isEqualTo(-8);
     assertThat(world.x(1)).isCloseTo(60 - 8 * (world.now() - 2), within(1e-13));
@@ -286,7 +284,7 @@ class EndsTest {
   void theBudgetIsSpentToTheLastImpact() {
     SceneBuilder builder = Scene.builder().bounds(0, 0, 64, 64).circle(32, 32, 1, 0x1p27, 0);
     World world = new World(builder.circle(32, 32, 1, 0, 0).build());
-    assertThat(world.step(1)).isFalse();
+    assertThatThrownBy(() -> world.step(1)).isInstanceOf(UnfinishedException.class);
     assertThat(world.impacts().size()).isEqualTo(2_000_000);
   }
 
@@ -295,8 +293,8 @@ class EndsTest {
   void exactWorkIsPartOfTheBudget() {
     SceneBuilder builder =
         Scene.builder().bounds(0, -9, 9, 4).line(0, 0, 8, 0x1p-1000).circle(4, 2, 1, 0, -0x1p260);
-    World world = new World(builder.build(), SMALL_BUDGET);
-    assertThat(world.step(6_000 * 0x1p-259)).isFalse();
+    World world = new World(builder.build());
+    assertThat(world.advanceTo(6_000 * 0x1p-259, Run.work(world, 5))).isFalse();
     assertThat(world.impacts().size()).isBetween(10, 5_000);
   }
 }

@@ -48,7 +48,7 @@ class EnergyTest {
   void everyCircleKeepsItsEnergyOver600Frames(String file) {
     World world = new World(TestScenes.read(file));
     double[] before = energies(world);
-    Run.to(world, 600);
+    world.advanceTo(600);
     double worst = worst(changes(world, before));
     System.out.printf("%s: worst circle's energy after 600 frames off by %.2g%n", file, worst);
     assertThat(worst).isLessThan(1e-13);
@@ -64,7 +64,7 @@ class EnergyTest {
     double[] before = energies(world);
     long impacts = 0;
     for (double time = 1000; impacts < 1_000_000; time += 1000) {
-      Run.to(world, time);
+      world.advanceTo(time);
       impacts += world.impacts().size();
     }
     double[] changes = changes(world, before);
@@ -93,7 +93,7 @@ class EnergyTest {
     double[] before = energies(world);
     long impacts = 0;
     for (double time = 10_000; impacts < 1_000_000; time += 10_000) {
-      Run.to(world, time);
+      world.advanceTo(time);
       impacts += world.impacts().size();
     }
     double worst = worst(changes(world, before));

@@ -18,7 +18,7 @@ class FallTest {
   @Test
   void aCircleInTheOpenFliesAParabola() {
     World world = new World(Scene.builder().gravity(1, -2).circle(3, 4, 1, 5, 6).build());
-    assertThat(world.step(2.5)).isTrue();
+    world.step(2.5);
     assertThat(world.x(0)).isEqualTo(3 + 5 * 2.5 + 0.5 * 2.5 * 2.5);
     assertThat(world.y(0)).isEqualTo(4 + 6 * 2.5 - 2.5 * 2.5);
     assertThat(world.vx(0)).isEqualTo(7.5);
@@ -29,7 +29,7 @@ class FallTest {
   @Test
   void speedsStayWithinTheDoubles() throws Exception {
     World world = new World(Scene.builder().circle(0, 0, 1, 0, 0).gravity(0, -1e300).build());
-    assertThat(world.step(1e10)).isTrue();
+    world.step(1e10);
     assertThat(world.vy(0)).isEqualTo(-Double.MAX_VALUE);
     assertThat(world.velocity(Kind.CIRCLE, 0)).isEqualTo(new Vec2(0, -Double.MAX_VALUE));
     world.setRadius(0, 2);

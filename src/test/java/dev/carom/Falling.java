@@ -24,7 +24,7 @@ final class Falling {
     int rows = 0;
     boolean done;
     do {
-      done = world.advanceTo(until);
+      done = world.advanceTo(until, Run.WORK);
       rows += world.impacts().size();
     } while (!done);
     return rows;

@@ -98,7 +98,7 @@ class FrameIndependenceTest {
     Scene scene = TestScenes.read(file);
     World watched = new World(scene);
     for (int frame = 0; frame < 600; frame++) {
-      Run.step(watched, 1);
+      watched.step(1);
       Run.states(watched);
     }
     assertThat(Run.states(watched)).isEqualTo(whole(scene).end());

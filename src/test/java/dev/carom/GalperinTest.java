@@ -19,13 +19,8 @@ class GalperinTest {
     SceneBuilder setup = Scene.builder().line(0, -10, 0, 10).circle(5, 0, 1, 0, 0);
     Scene scene = setup.circle(10, 0, 1, -1, 0).mass(Math.pow(100, n)).collide(true).build();
     World world = new World(scene);
-    int counted = 0;
-    boolean complete;
-    do {
-      complete = world.advanceTo(10_000);
-      counted += world.impacts().size();
-    } while (!complete);
-    assertThat(counted).isEqualTo(impacts);
+    world.advanceTo(10_000);
+    assertThat(world.impacts().size()).isEqualTo(impacts);
     assertThat(world.vx(1)).as("none is left").isGreaterThanOrEqualTo(world.vx(0)).isPositive();
   }
 }

@@ -33,7 +33,7 @@ class InelasticTest {
       boolean complete;
       int calls = 0;
       do {
-        complete = world.advanceTo(frame);
+        complete = world.advanceTo(frame, Run.WORK);
         assertThat(++calls).as("calls for a frame").isLessThanOrEqualTo(CALLS);
         for (Run.Row row : Run.rows(world.impacts())) {
           impacts++;

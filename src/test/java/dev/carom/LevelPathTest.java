@@ -22,7 +22,7 @@ class LevelPathTest {
         .isLessThan(99);
     SceneBuilder scene = Scene.builder().line(line.ax(), line.ay(), line.bx(), line.by());
     World world = new World(scene.circle(px, py, r, vx, 0).build());
-    Run.step(world, 99);
+    world.step(99);
     assertThat(world.impacts().size()).as("%s, %s, %s, %s, %s", px, py, r, vx, line).isPositive();
   }
 

@@ -27,7 +27,7 @@ class LiftTest {
 
   private static void play(World world, double end) {
     for (double t = world.now(); t < end; t += 0.25) {
-      assertThat(world.advanceTo(Math.min(end, t + 0.25))).as("at %s", t).isTrue();
+      world.advanceTo(Math.min(end, t + 0.25));
     }
   }
 
@@ -69,9 +69,9 @@ class LiftTest {
   void eachBallOfAStackHasARow() {
     SceneBuilder scene = Scene.builder().gravity(0, -10).collide(true).line(0, 0, 4, 0);
     World world = new World(stack(scene.velocity(0, 1), 4, 0).build());
-    assertThat(world.advanceTo(0)).isTrue();
+    world.advanceTo(0);
     assertThat(circles(world.impacts())).containsExactlyInAnyOrder(0, 1, 2, 3);
-    assertThat(world.advanceTo(0x1p-6)).isTrue();
+    world.advanceTo(0x1p-6);
     for (int ball = 0; ball < 4; ball++) {
       assertThat(world.vy(ball)).as("ball %s", ball).isGreaterThan(0.99);
     }
@@ -98,10 +98,10 @@ class LiftTest {
       scene.circle(places[i], radii[i], radii[i], 0, 0).restitution(0.5);
     }
     World world = new World(scene.build());
-    assertThat(world.advanceTo(1.3799787973590059)).isTrue();
+    world.advanceTo(1.3799787973590059);
     world.setVelocity(Kind.LINE, 0, 0, 0);
     for (int frame = 0; frame < 60; frame++) {
-      assertThat(world.step(1.0 / 60)).isTrue();
+      world.step(1.0 / 60);
       for (int i = 1; i < 3; i++) {
         double distance = Math.hypot(world.x(i) - world.x(i - 1), world.y(i) - world.y(i - 1));
         assertThat(distance).isGreaterThan(radii[i] + radii[i - 1] - 1e-12);

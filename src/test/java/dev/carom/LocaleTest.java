@@ -51,7 +51,6 @@ class LocaleTest {
             world,
             world.snapshot(),
             world.impacts(),
-            world.engineDescription(),
             Resolver.of(List.of(new Circle(5, 5, 1)))
                 .trace(new Circle(2, 5, 1), new Vec2(1, 0), 3));
     assertThat(all).extracting(Object::toString).allMatch(LocaleTest::isLatin);

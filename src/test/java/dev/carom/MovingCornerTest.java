@@ -20,7 +20,7 @@ class MovingCornerTest {
     SceneBuilder scene = Scene.builder().gravity(0, -1).line(-10, 10, 0, 0).restitution(e);
     scene.line(0, 0, 10, 10).restitution(e).velocity(u, 0).circle(0, 1.5, 1, 0, 0);
     World world = new World(scene.build());
-    assertThat(world.advanceTo(end)).isTrue();
+    world.advanceTo(end);
     return world;
   }
 
@@ -70,7 +70,7 @@ class MovingCornerTest {
   void whatIsRoundLiftsABallAlongAWall(String what, double e) {
     World world = new World(lifting(what, e).build());
     for (int t = 10; t <= 40; t += 5) {
-      assertThat(world.advanceTo(t)).isTrue();
+      world.advanceTo(t);
       double reach = what.startsWith("end") ? 1 : 1.5;
       double above = Math.sqrt(reach * reach - 0.6 * 0.6);
       assertThat(world.x(0)).isCloseTo(1, within(HOPS));
@@ -85,7 +85,7 @@ class MovingCornerTest {
     SceneBuilder scene = Scene.builder().gravity(0, -1).line(-50, 100, 0, 0);
     scene.peg(1.6, -1, 0.5).velocity(0, 0.25).restitution(e).circle(1, 1.5, 1, 0, 0);
     World world = new World(scene.restitution(e).build());
-    assertThat(world.advanceTo(40)).isTrue();
+    world.advanceTo(40);
     assertThat(world.y(0)).isLessThan(-100);
   }
 
@@ -96,7 +96,7 @@ class MovingCornerTest {
     SceneBuilder scene = Scene.builder().gravity(0, -1).line(-10, 10, 0, 0).line(0, 0, 10, 10);
     scene.line(-10, 10, 10, 10).velocity(0, -0.25).restitution(e).circle(0, 3, 1, 0, 0);
     World world = new World(scene.restitution(e).build());
-    assertThat(world.advanceTo(60)).isTrue();
+    world.advanceTo(60);
     assertThat(world.isResting(0)).isTrue();
     assertThat(world.y(0)).isCloseTo(Math.sqrt(2), within(HOPS));
   }
@@ -116,7 +116,7 @@ class MovingCornerTest {
       World world = new World(scene.restitution(0.25).build());
       int rows = 0;
       for (int t = 1; t <= 60; t++) {
-        assertThat(world.advanceTo(t)).isTrue();
+        world.advanceTo(t);
         rows += world.impacts().size();
       }
       assertThat(rows).isLessThan(1000);

@@ -95,7 +95,7 @@ class MovingUnderGravityTest {
     World other = world;
     for (int i = random.nextInt(4); i >= 0; i--) {
       double end = i == 0 ? to : Math.max(other.now(), from + random.nextDouble() * (to - from));
-      assertThat(other.advanceTo(end)).isTrue();
+      other.advanceTo(end);
       rows.addAll(Run.rows(other.impacts()));
       if (random.nextInt(5) == 0) {
         Snapshot saved = other.snapshot();
@@ -119,7 +119,7 @@ class MovingUnderGravityTest {
       PlainWorld plain = new PlainWorld(scene);
       for (double now = 0; now < 40; ) {
         double end = now + 4 * random.nextDouble() * random.nextDouble();
-        assertThat(world.advanceTo(end)).isTrue();
+        world.advanceTo(end);
         List<Run.Row> rows = Run.rows(world.impacts());
         assertThat(rows).isEqualTo(Run.rows(plain.advance(end, rows.size() + 1)));
         List<Run.Row> rowsOfOther = new ArrayList<>();

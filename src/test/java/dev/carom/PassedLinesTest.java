@@ -28,7 +28,7 @@ class PassedLinesTest {
           SweptCircle.line(p[0], p[1], r, vx, vy, line.ax(), line.ay(), line.bx(), line.by(), END);
       SceneBuilder scene = Scene.builder().line(line.ax(), line.ay(), line.bx(), line.by());
       World world = new World(scene.circle(p[0], p[1], r, vx, vy).build());
-      Run.step(world, END);
+      world.step(END);
       boolean hit = t <= END;
       assertThat(world.impacts().size() > 0)
           .as("%s at %s, %s, radius %s, velocity %s, %s", line, p[0], p[1], r, vx, vy)

@@ -81,7 +81,7 @@ class RadiiTrajectoryTest {
     double[] ratios = new double[FRAMES * CIRCLES];
     int count = 0;
     for (int frame = 1; frame <= FRAMES; frame++) {
-      Run.step(world, 1);
+      world.step(1);
       for (int i = 0; i < CIRCLES; i++) {
         if (LOG_CONDITION[frame][i] < MOST) {
           ratios[count++] = error(world, frame, i) / unit(frame, i);
@@ -120,7 +120,7 @@ class RadiiTrajectoryTest {
   void impactsOfEachFeatureAreThoseOfTheReference() throws IOException {
     int[][] counts = new int[CIRCLES][4];
     World world = new World(TestScenes.read("radii.csv"));
-    Run.to(world, FRAMES);
+    world.advanceTo(FRAMES);
     for (Run.Row row : Run.rows(world.impacts())) {
       counts[row.circle()][column(row)]++;
     }
@@ -143,7 +143,7 @@ class RadiiTrajectoryTest {
   @Test
   void velocitiesAreThoseOfTheReference() throws IOException {
     World world = new World(TestScenes.read("radii.csv"));
-    Run.to(world, FRAMES);
+    world.advanceTo(FRAMES);
     forEachRow(
         "radii-impacts.csv",
         row -> {

@@ -32,7 +32,7 @@ class RespondTest {
       setup.circle(n[0], n[1], 15, v[0], v[1]).mass(m1);
       Scene scene = setup.circle(n[2], n[3], 15, v[2], v[3]).mass(m2).restitution(e).build();
       World world = new World(scene);
-      Run.step(world, 0);
+      world.step(0);
       met += world.impacts().size();
       Resolver.respond(n[0], n[1], m1, n[2], n[3], m2, e, v);
       assertThat(v).containsExactly(world.vx(0), world.vy(0), world.vx(1), world.vy(1));

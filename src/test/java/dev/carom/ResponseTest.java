@@ -28,7 +28,7 @@ class ResponseTest {
     World world =
         new World(
             box().line(0, 50, 100, 50).response(Response.HALT).circle(20, 30, 5, 1, 2).build());
-    Run.step(world, 30);
+    world.step(30);
     assertThat(world.vx(0)).isEqualTo(1);
     assertThat(world.vy(0)).isZero();
     assertThat(world.y(0)).isEqualTo(45);
@@ -40,7 +40,7 @@ class ResponseTest {
     SceneBuilder scene = Scene.builder().bounds(0, 0, 100, 100).response(Response.HALT);
     scene.peg(50, 20, 5).response(Response.HALT).circle(20, 20, 5, 3, 0).circle(20, 50, 5, 3, 1);
     World world = new World(scene.build());
-    Run.step(world, 100);
+    world.step(100);
     assertThat(List.of(world.vx(0), world.vy(0))).containsExactly(0.0, 0.0);
     assertThat(List.of(world.vx(1), world.vy(1))).containsExactly(0.0, 0.0);
     assertThat(List.of(world.x(1), world.y(1))).containsExactly(95.0, 95.0);
@@ -51,7 +51,7 @@ class ResponseTest {
     SceneBuilder scene = Scene.builder().collide(true);
     scene.circle(0, 0, 1, 2, 1).mass(5).response(Response.HALT).circle(10, 4, 1, -2, -1);
     World world = new World(scene.build());
-    Run.step(world, 3);
+    world.step(3);
     assertThat(world.impacts().size()).isEqualTo(1);
     assertThat(world.impacts().nx(0)).isEqualTo(-1);
     assertThat(List.of(world.vx(0), world.vy(0))).containsExactly(0.0, 1.0);
@@ -63,7 +63,7 @@ class ResponseTest {
     SceneBuilder scene = Scene.builder().collide(true);
     scene.circle(0, 0, 1, 3, 0).response(Response.HALT);
     World world = new World(scene.circle(10, 0, 1, -1, 0).mass(Double.POSITIVE_INFINITY).build());
-    Run.step(world, 10);
+    world.step(10);
     assertThat(world.vx(0)).isEqualTo(-1);
     assertThat(world.vx(1)).isEqualTo(-1);
     assertThat(world.x(1) - world.x(0)).isEqualTo(2);
@@ -156,7 +156,7 @@ class ResponseTest {
   void whoPassedCannotReturn() {
     World world = new World(box().line(50, 0, 50, 100).oneWay().circle(80, 20, 5, -2, 0).build());
     for (int frame = 0; frame < 1000; frame++) {
-      Run.step(world, 1);
+      world.step(1);
       assertThat(frame < 30 || world.x(0) <= 45).isTrue();
     }
   }
@@ -180,7 +180,7 @@ class ResponseTest {
     for (boolean collide : new boolean[] {false, true}) {
       SceneBuilder scene = box().collide(collide).line(50, 0, 50, 99).circle(80, 50, 5, -2, 0);
       World world = new World(scene.build());
-      Run.step(world, 1);
+      world.step(1);
       world.setTraits(Kind.LINE, 0, world.traits(Kind.LINE, 0).withOneWay(true));
       assertThat(Run.advance(world, 20).impacts()).isEmpty();
     }

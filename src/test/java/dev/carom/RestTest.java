@@ -21,7 +21,7 @@ class RestTest {
   private static int impactsOf(World world, int steps) {
     int impacts = 0;
     for (int i = 0; i < steps; i++) {
-      assertThat(world.step(1)).isTrue();
+      world.step(1);
       impacts += world.impacts().size();
     }
     return impacts;
@@ -136,7 +136,7 @@ class RestTest {
   @ValueSource(doubles = {0.02, 0.3, 0.7, 0.78})
   void aCircleThatComesToRestInACornerStaysThereForAMillionSteps(double halfAngle) {
     World world = intoCorner(halfAngle, 1, 0);
-    Run.step(world, 1e6);
+    world.step(1e6);
     List<Run.State> before = Run.states(world);
     assertThat(Math.hypot(world.vx(0), world.vy(0))).isLessThan(1e-15);
     assertThat(impactsOf(world, 1_000_000)).isLessThan(10);
@@ -156,7 +156,7 @@ class RestTest {
       for (int id = 0; id < 3; id++) {
         world.setVelocity(id, world.vx(id), world.vy(id) - 0.01);
       }
-      Run.step(world, 1);
+      world.step(1);
       impacts += world.impacts().size();
     }
     assertThat(impacts).isEqualTo(3_000_000);

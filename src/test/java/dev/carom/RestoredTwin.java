@@ -52,7 +52,7 @@ final class RestoredTwin {
    * false if that took more than its budget, which is not saved.
    */
   boolean advance(World world, double end, List<Run.Row> rows) {
-    if (!twin.advanceTo(end)) {
+    if (!twin.advanceTo(end, Run.WORK)) {
       return false;
     }
     assertThat(Run.rows(twin.impacts())).as("restored").isEqualTo(rows);

@@ -64,7 +64,7 @@ class SnapshotStreamTest {
     SceneBuilder scene = Scene.builder().bounds(0, 0, 100, 100);
     scene.line(10, 20, 30, 40).velocity(velocity, 0).peg(50, 50, 5).velocity(0, velocity);
     World world = new World(scene.circle(70, 70, 3, 1, -2).circle(20, 80, 3, 1, -2).build());
-    Run.step(world, 40);
+    world.step(40);
     return SnapshotBytes.of(world.snapshot());
   }
 
@@ -102,7 +102,7 @@ class SnapshotStreamTest {
     SceneBuilder scene = room().collide(true).circle(20, 50, 3, 4, 0);
     World world = new World(scene.circle(50, 50, 3, 0, 0).response(Response.SENSOR).build());
     int before = SnapshotBytes.of(world.snapshot()).length;
-    Run.step(world, 7);
+    world.step(7);
     assertThat(world.impacts().size()).isOne();
     return SnapshotBytes.of(world.snapshot()).length - before;
   }
@@ -129,7 +129,7 @@ class SnapshotStreamTest {
     World world = new World(RandomScenes.responses(new Random(5)).collide(collide).build());
     for (int i = 0; i < 20; i++) {
       int id = world.addCircle(30 + i, 40, 3, 1, i, Traits.DEFAULT);
-      Run.step(world, 0.5);
+      world.step(0.5);
       world.remove(Kind.CIRCLE, i % 3 == 0 ? i / 3 : id);
     }
     World other = new World(world.scene());
@@ -137,8 +137,8 @@ class SnapshotStreamTest {
     assertThat(other.addCircle(0, 0, 3, 2, 1, Traits.DEFAULT))
         .isEqualTo(world.addCircle(0, 0, 3, 2, 1, Traits.DEFAULT));
     for (int i = 0; i < 5; i++) {
-      Run.step(world, 3);
-      Run.step(other, 3);
+      world.step(3);
+      other.step(3);
       assertThat(Run.rows(other.impacts())).isEqualTo(Run.rows(world.impacts()));
     }
     assertThat(other.snapshot()).isEqualTo(world.snapshot());
@@ -156,14 +156,14 @@ class SnapshotStreamTest {
   @ValueSource(booleans = {false, true})
   void aStreamHoldsOneSnapshotAfterAnother(boolean collide) throws IOException {
     World world = new World(RandomScenes.responses(new Random(3)).collide(collide).build());
-    Run.step(world, 20);
+    world.step(20);
     Snapshot one = world.snapshot();
     world.remove(Kind.CIRCLE, 7);
     world.remove(Kind.LINE, 8);
     world.remove(Kind.PEG, 9);
     world.setTraits(
         Kind.CIRCLE, 6, world.traits(Kind.CIRCLE, 6).withMass(Double.POSITIVE_INFINITY));
-    Run.step(world, 1);
+    world.step(1);
     Snapshot two = world.snapshot();
     ByteArrayOutputStream out = new ByteArrayOutputStream();
     one.write(out);
@@ -176,8 +176,8 @@ class SnapshotStreamTest {
     assertThat(in.read()).isEqualTo(42);
     World other = new World(world.scene());
     other.restore(read);
-    Run.step(other, 30);
-    Run.step(world, 30);
+    other.step(30);
+    world.step(30);
     assertThat(other.snapshot()).isEqualTo(world.snapshot());
   }
 
@@ -193,14 +193,14 @@ class SnapshotStreamTest {
     world.remove(Kind.PEG, 2);
     World other = new World(world.scene());
     other.restore(SnapshotBytes.copy(world.snapshot()));
-    assertThat(other.engineDescription())
-        .isEqualTo(world.engineDescription())
+    assertThat(other.toString())
+        .isEqualTo(world.toString())
         .contains("4 lines and pegs without a grid");
     world.remove(Kind.LINE, 0); // most are gone by now
     world.remove(Kind.PEG, 1);
     other.restore(SnapshotBytes.copy(world.snapshot()));
-    assertThat(other.engineDescription())
-        .isEqualTo(world.engineDescription())
+    assertThat(other.toString())
+        .isEqualTo(world.toString())
         .contains("2 lines and pegs without a grid");
   }
 
@@ -393,7 +393,7 @@ class SnapshotStreamTest {
     World world = new World(Scene.builder().bounds(0, 0, 100, 100).build());
     world.restore(read);
     assertThat(world.addCircle(50, 20, 4, 1, 1, Traits.DEFAULT)).isEqualTo(1_000_000_000);
-    Run.step(world, 1);
+    world.step(1);
     assertThat(world.x(1_000_000_000)).isEqualTo(51);
   }
 
@@ -489,7 +489,7 @@ class SnapshotStreamTest {
     SceneBuilder scene = Scene.builder().bounds(0, 0, 100, 100).gravity(0, -0.125);
     scene.line(10, 20, 30, 40).peg(50, 50, 5).circle(70, 70, 3, 1, -2).circle(20, 80, 3, 1, -2);
     World world = new World(scene.build());
-    Run.step(world, 2);
+    world.step(2);
     return SnapshotBytes.of(world.snapshot());
   }
 

@@ -78,8 +78,8 @@ class SnapshotTest {
     for (boolean collide : new boolean[] {false, true}) {
       World one = world(collide);
       World two = world(collide);
-      Run.step(one, 2.5);
-      Run.step(two, 2.5);
+      one.step(2.5);
+      two.step(2.5);
       Snapshot before = one.snapshot();
       assertThat(before).isEqualTo(two.snapshot()).hasSameHashCodeAs(two.snapshot());
       change.accept(one);
@@ -110,18 +110,18 @@ class SnapshotTest {
   @ValueSource(booleans = {false, true})
   void aRestoredWorldGoesOnAsTheOneItWasTakenFrom(boolean collide) {
     World one = world(collide);
-    Run.step(one, 7);
+    one.step(7);
     one.setVelocity(0, 5, -3);
     one.addCircle(50, 20, 2, -1, 3, Traits.DEFAULT);
     one.remove(LINE, 0);
-    Run.step(one, 3);
+    one.step(3);
     Snapshot snapshot = one.snapshot();
     assertThat(snapshot.now()).isEqualTo(10);
     assertThat(snapshot).hasToString("Snapshot[now=10.0, circles=4, lines and pegs=2]");
     Run on = Run.step(one, 1, 50);
     assertThat(on.impacts()).hasSizeGreaterThan(10);
     World other = world(collide);
-    Run.step(other, 33);
+    other.step(33);
     for (World world : List.of(one, other)) {
       world.restore(snapshot);
       assertThat(world.now()).isEqualTo(10);
@@ -160,7 +160,7 @@ class SnapshotTest {
   @Test
   void theHashIsThatOfTheWrittenBytes() throws NoSuchAlgorithmException {
     World world = world(true);
-    Run.step(world, 7);
+    world.step(7);
     byte[] written = SnapshotBytes.of(world.snapshot());
     byte[] digest = MessageDigest.getInstance("SHA-256").digest(written);
     long first8 = new BigInteger(1, Arrays.copyOf(digest, 8)).longValue();

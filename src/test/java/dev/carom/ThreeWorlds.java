@@ -22,15 +22,15 @@ final class ThreeWorlds {
   private static final EngineOptions[] OTHERS = {
     EngineOptions.EACH,
     EngineOptions.CHOSEN,
-    new EngineOptions(true, 0, 4, 1, 1),
-    new EngineOptions(true, 3, 1.7, 1, 1),
-    new EngineOptions(true, 23, 2, 1, 1)
+    new EngineOptions(true, 0, 4, 1),
+    new EngineOptions(true, 3, 1.7, 1),
+    new EngineOptions(true, 23, 2, 1)
   };
 
   private static final int IMPACTS = 5;
 
   /** Of the world: a step of more work than this ends a session anyway. */
-  private static final EngineOptions SMALL_BUDGET = EngineOptions.budget(1.0 / 20);
+  private static final long WORK = Run.WORK / 20;
 
   /** The source of random choices for the twin alone. */
   private final Random random;
@@ -54,14 +54,14 @@ final class ThreeWorlds {
     random = new Random(seed);
     EngineOptions other = OTHERS[random.nextInt(OTHERS.length)];
     int slack = random.nextInt(2); // 0: its arrays are dense after each removal
-    options = new EngineOptions(other.grid(), other.cell() * unit, other.pairCells(), slack, 1);
+    options = new EngineOptions(other.grid(), other.cell() * unit, other.pairCells(), slack);
     plain = new PlainWorld(scene);
     restored = new RestoredTwin(scene, options, new Random(seed + 1));
     begin();
   }
 
   private void begin() {
-    world = new World(scene, SMALL_BUDGET);
+    world = new World(scene);
     twin = new World(scene, options);
     past = new PastCheck(twin);
   }
@@ -82,7 +82,7 @@ final class ThreeWorlds {
   int advance(double end, int most) {
     double start = world.now();
     past.look();
-    if (!world.advanceTo(end) || world.impacts().size() > most) {
+    if (!world.advanceTo(end, WORK) || world.impacts().size() > most) {
       return -1;
     }
     List<Run.Row> rows = Run.rows(world.impacts());
@@ -141,11 +141,7 @@ final class ThreeWorlds {
     Arrays.sort(ends);
     List<Run.Row> inSteps = new ArrayList<>();
     for (double time : ends) {
-      boolean complete = false;
-      while (!complete) {
-        complete = twin.advanceTo(time);
-        inSteps.addAll(Run.rows(twin.impacts()));
-      }
+      inSteps.addAll(Run.finish(twin, time, Run.WORK));
     }
     return inSteps;
   }

@@ -6,7 +6,6 @@ import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.assertThatThrownBy;
 
 import dev.carom.internal.state.Codes;
-import dev.carom.internal.state.EngineOptions;
 import dev.carom.internal.util.KindNumber;
 import java.util.List;
 import org.junit.jupiter.api.Tag;
@@ -40,11 +39,11 @@ class TimelineTest {
     SceneBuilder scene = Scene.builder().bounds(0, 0, 10, 10).collide(collide);
     World world = new World(scene.circle(5, 2, 1, 4, 0).circle(5, 8, 1, 0, 0).build());
     Timeline timeline = world.record(3);
-    Run.step(world, 3); // walls at 1, 3; a flight lasts 2
+    world.step(3); // walls at 1, 3; a flight lasts 2
     assertThat(timeline.start()).isZero();
-    Run.step(world, 2);
+    world.step(2);
     assertThat(timeline.start()).isEqualTo(2);
-    Run.step(world, 100);
+    world.step(100);
     assertThat(timeline.start()).isEqualTo(102);
     assertThat(timeline.end()).isEqualTo(105);
     assertThat(timeline.contains(Kind.CIRCLE, 0, Math.nextDown(102.0))).isFalse();
@@ -68,25 +67,25 @@ class TimelineTest {
     for (int i = 0; i < 400; i++) {
       scene.circle(50, 80, 1, 0, 0); // the more circles, the fewer impacts each may make
     }
-    World world = new World(scene.build(), EngineOptions.budget(1.0 / 200));
+    World world = new World(scene.build());
     Timeline timeline = world.record(duration);
-    assertThat(world.step(50)).isFalse();
+    assertThat(world.advanceTo(50, Run.work(world, 5))).isFalse();
     assertThat(world.now()).isBetween(0.0, 1.0);
     assertThat(timeline.end()).isEqualTo(world.now());
     assertThat(Moment.of(timeline, 0, world.now())).isEqualTo(Moment.of(world, 0));
     assertThat(timeline.x(0, 0)).isEqualTo(5);
     assertThat(timeline.x(1, timeline.start())).isBetween(49.0, 51.0);
     world.remove(CIRCLE, 1);
-    Run.step(world, 10);
+    world.step(10);
     assertThat(Moment.of(timeline, 0, world.now())).isEqualTo(Moment.of(world, 0));
   }
 
   @Test
   void whatIsNotKnownIsRefused() {
     World world = falling();
-    Run.step(world, 1);
+    world.step(1);
     Timeline timeline = world.record(9);
-    Run.step(world, 1);
+    world.step(1);
     for (double t : new double[] {2.5, -1, Double.NaN, Double.POSITIVE_INFINITY}) {
       assertThat(timeline.contains(Kind.CIRCLE, 0, t)).isFalse();
       assertThatThrownBy(() -> timeline.x(0, t))
@@ -112,7 +111,7 @@ class TimelineTest {
           .hasMessage("duration is " + duration + ": expected at least 0");
     }
     assertThat(timeline.end()).as("the old one goes on").isEqualTo(2);
-    Run.step(world, 1);
+    world.step(1);
     assertThat(timeline.end()).isEqualTo(3);
   }
 
@@ -123,13 +122,13 @@ class TimelineTest {
         new World(
             Scene.builder().collide(collide).line(-9, 0, 9, 0).circle(0, 5, 1, 0, -2).build());
     Timeline first = world.record(9);
-    Run.step(world, 1);
+    world.step(1);
     world.stopRecording();
-    Run.step(world, 3);
+    world.step(3);
     assertThat(first.end()).isEqualTo(1);
     assertThat(first.contains(Kind.CIRCLE, 0, 3)).isFalse();
     Timeline second = world.record(9);
-    Run.step(world, 1);
+    world.step(1);
     assertThat(first.end()).isEqualTo(1);
     assertThat(List.of(second.start(), second.end())).containsExactly(4.0, 5.0);
     assertThat(second.y(0, 5)).isEqualTo(7);
@@ -142,9 +141,9 @@ class TimelineTest {
   void whatIsNoLongerRecordedStaysAsItIs() {
     World world = new World(Scene.builder().bounds(0, 0, 10, 10).circle(5, 5, 1, 3, 0).build());
     Timeline timeline = world.record(2);
-    Run.step(world, 0.5);
+    world.step(0.5);
     world.stopRecording();
-    Run.step(world, 100);
+    world.step(100);
     assertThat(timeline.start()).isZero();
     assertThat(timeline.x(0, 0.5)).isEqualTo(6.5);
   }
@@ -154,7 +153,7 @@ class TimelineTest {
   void idsThatNoneHasAreThoseOfNothing() {
     World world = new World(Scene.builder().line(0, 0, 1, 1).peg(5, 5, 1).peg(7, 7, 2).build());
     Timeline timeline = world.record(9);
-    Run.step(world, 1);
+    world.step(1);
     assertThat(timeline.peg(1, 0.5)).isEqualTo(new Circle(7, 7, 2));
     assertThat(timeline.contains(Kind.PEG, 1, 0.5)).isTrue();
     assertThat(timeline.contains(Kind.PEG, 1, 1.5)).isFalse();
@@ -181,9 +180,9 @@ class TimelineTest {
   void whatFollowsAfterARecordingDropsNothing() {
     World world = new World(Scene.builder().bounds(0, 0, 10, 10).circle(5, 5, 1, 4, 0).build());
     Timeline timeline = world.record(2);
-    Run.step(world, 1.5);
+    world.step(1.5);
     world.stopRecording();
-    Run.step(world, 20);
+    world.step(20);
     world.setVelocity(0, 1, 0);
     assertThat(timeline.start()).isZero();
     assertThat(timeline.end()).isEqualTo(1.5);
@@ -201,7 +200,7 @@ class TimelineTest {
     World world = new World(scene.build());
     past[0] = world.record(4);
     for (int i = 0; i < rounds; i++) {
-      Run.step(world, 1);
+      world.step(1);
       world.remove(CIRCLE, i);
       world.addCircle(5 + 10 * (i % 10), 2, 1, 0, -1, Traits.DEFAULT);
     }
@@ -230,11 +229,11 @@ class TimelineTest {
   void thatNoneIsLeftDropsNothing() {
     Timeline[] past = new Timeline[1];
     World world = turnover(false, 0, past);
-    Run.step(world, 1);
+    world.step(1);
     for (int id = 0; id < 10; id++) {
       world.remove(CIRCLE, id);
     }
-    Run.step(world, 1);
+    world.step(1);
     assertThat(past[0].start()).isZero();
     assertThat(past[0].y(3, 0.25)).isEqualTo(1.75);
   }
@@ -261,11 +260,11 @@ class TimelineTest {
   void ofRemovedLinesAndPegsTheFirstAreDropped() {
     World world = new World(Scene.builder().line(0, 0, 1, 0).peg(5, 5, 1).build());
     Timeline timeline = world.record(3);
-    Run.step(world, 1);
+    world.step(1);
     world.remove(Kind.LINE, 0);
     for (int i = 1; i <= 10; i++) {
       int line = world.addLine(0, i, 1, i, Traits.DEFAULT);
-      Run.step(world, 1);
+      world.step(1);
       world.remove(Kind.LINE, line);
     }
     // The seventh line was removed at time 8.
@@ -294,7 +293,7 @@ class TimelineTest {
     long before = usedMemory();
     for (int i = 0; i < rounds; i++) {
       world.remove(Kind.LINE, world.addLine(0, 1, 2, 3, Traits.DEFAULT));
-      Run.step(world, 1);
+      world.step(1);
     }
     assertThat(usedMemory() - before).isLessThan(120L * rounds);
     assertThat(timeline.start()).isEqualTo(rounds - 100);

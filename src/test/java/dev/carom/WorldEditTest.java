@@ -6,6 +6,7 @@ import static dev.carom.Kind.LINE;
 import static dev.carom.Kind.PEG;
 import static dev.carom.Kind.WALL;
 import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.assertThatThrownBy;
 
 import java.util.List;
 import java.util.Random;
@@ -45,7 +46,7 @@ class WorldEditTest {
     World world = world(box().collide(collide).line(50, 0, 50, 20).circle(20, 50, 5, 1, 0));
     for (int frame = 1; frame <= 24; frame++) {
       assertThat(world.impacts().size()).isZero();
-      Run.step(world, 1);
+      world.step(1);
       world.moveLine(0, 50, 2 * frame, 50, 2 * frame + 20);
     }
     assertThat(times(world, LINE, 25)).containsExactly(25.0);
@@ -88,7 +89,7 @@ class WorldEditTest {
     assertThat(world.addLine(1, 1, 2, 2, Traits.DEFAULT)).isEqualTo(1);
     assertThat(world.addCircle(20, 20, 5, 0, 0, Traits.DEFAULT)).isEqualTo(1);
     Snapshot edited = world.snapshot();
-    Run.step(world, 100);
+    world.step(100);
     World other = world(box().collide(collide));
     other.restore(edited);
     for (World each : List.of(world, other)) {
@@ -129,7 +130,7 @@ class WorldEditTest {
         builder.line(x, y, bx, by);
         assertThat(world.addLine(x, y, bx, by, Traits.DEFAULT)).isEqualTo(i);
         if (i % 7 == 0) {
-          Run.step(world, 0); // impacts of now, in both orders the same: nothing overlaps twice
+          world.step(0); // impacts of now, in both orders the same: nothing overlaps twice
         }
       }
       World fresh = world(builder);
@@ -160,13 +161,13 @@ class WorldEditTest {
                 .line(0, 2 + 0x1p-30, 1e9, 2 + 0x1p-30)
                 .circle(1, 1, 1, 1e-3, 1)
                 .circle(1, 9, 1, 0, 1));
-    assertThat(world.step(1)).isFalse();
+    assertThatThrownBy(() -> world.step(1)).isInstanceOf(UnfinishedException.class);
     double reached = world.now();
     assertThat(reached).isLessThan(1);
     world.remove(LINE, 1);
     world.setVelocity(0, 0, 4);
     world.setVelocity(1, 0, 5);
-    assertThat(world.step(2)).isTrue();
+    world.step(2);
     assertThat(world.now()).isEqualTo(reached + 2);
     assertThat(world.vy(1)).isEqualTo(5);
     assertThat(world.y(0)).isGreaterThan(7);
@@ -183,11 +184,11 @@ class WorldEditTest {
             .circle(0, 0, S, v, 0)
             .circle(50 * S, 50 * S, 5 * S, S, 0);
     World world = world(scene);
-    Run.step(world, 2);
+    world.step(2);
     assertThat(world.x(0)).isEqualTo(v * Double.POSITIVE_INFINITY);
     edit.accept(world);
     for (int i = 0; i < 4; i++) {
-      Run.step(world, 1);
+      world.step(1);
       for (int id = 0; id < world.idLimit(CIRCLE); id++) {
         if (world.contains(CIRCLE, id)) {
           assertThat(world.x(id) + world.y(id)).isNotNaN();
@@ -197,8 +198,8 @@ class WorldEditTest {
     }
     World other = world(scene);
     other.restore(world.snapshot());
-    Run.step(other, 5);
-    Run.step(world, 5);
+    other.step(5);
+    world.step(5);
     assertThat(other.snapshot()).isEqualTo(world.snapshot());
   }
 
@@ -231,7 +232,7 @@ class WorldEditTest {
   @Test
   void theRadiusOfACircleThatFlewFarCanBeSet() {
     World world = world(Scene.builder().circle(0, 0, 1, 1e20, 0));
-    Run.step(world, 1);
+    world.step(1);
     world.setRadius(0, 2);
     assertThat(world.radius(0)).isEqualTo(2);
   }

@@ -112,7 +112,7 @@ class WorldQueriesTest {
     Random random = new Random(1);
     Scene scene = CollidingScenes.mixed(random, 40).build();
     World world = new World(scene);
-    Run.step(world, 7);
+    world.step(7);
     int circles = 0;
     for (int i = 0; i < 2000; i++) {
       Circle circle =
@@ -199,7 +199,7 @@ class WorldQueriesTest {
         assertThat(path.complete()).isTrue();
         assertThat(path.duration()).isEqualTo(60);
         World run = new World(scene);
-        Run.step(run, 60);
+        run.step(60);
         // A flight keeps the double nearest to its start, where the world keeps twice the digits.
         assertThat(path.end().x()).isCloseTo(run.x(id), within(1e-12));
         assertThat(path.end().y()).isCloseTo(run.y(id), within(1e-12));
@@ -251,7 +251,7 @@ class WorldQueriesTest {
     World world =
         new World(
             Scene.builder().collide(true).circle(50, 50, 5, 0, 0).circle(80, 50, 5, -1, 0).build());
-    Run.step(world, 21);
+    world.step(21);
     ImpactLog log = world.impacts();
     assertThat(log.size()).isOne();
     assertThat(log.circle(0)).isZero();
@@ -266,7 +266,7 @@ class WorldQueriesTest {
     SceneBuilder scene = room().line(10, 10, 20, 10).line(10, 30, 20, 30).peg(50, 50, 10);
     scene.peg(80, 50, 2).circle(30, 80, 5, 1, 0).circle(60, 80, 5, 0, 0);
     World world = new World(scene.build());
-    Run.step(world, 10);
+    world.step(10);
     assertThat(world.nearest(Kind.LINE, 15, 19)).isZero();
     assertThat(world.nearest(Kind.LINE, 15, 20)).as("equally near").isZero();
     assertThat(world.nearest(Kind.LINE, 15, 21)).isEqualTo(1);

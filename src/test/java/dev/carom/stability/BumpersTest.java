@@ -3,6 +3,7 @@ package dev.carom.stability;
 
 import static org.assertj.core.api.Assertions.assertThat;
 
+import dev.carom.Run;
 import dev.carom.Scene;
 import dev.carom.SceneBuilder;
 import dev.carom.Timeline;
@@ -50,7 +51,7 @@ class BumpersTest {
     boolean unfinished = false;
     double fastest = 0;
     for (int frame = 0; frame < 12; frame++) {
-      unfinished |= !world.step(1);
+      unfinished |= !world.advanceTo(world.now() + 1, Run.WORK);
       for (int row = 0; row < world.impacts().size(); row++) {
         double speed = world.impacts().approachSpeed(row);
         fastest = speed > fastest ? speed : fastest; // beyond the range of doubles it is NaN

@@ -39,7 +39,7 @@ class InfiniteMassTest {
     SceneBuilder scene = colliding().circle(0, 0, 1, 0, 0).mass(INFINITE);
     scene.circle(3, 0, 1, -1, 0).mass(INFINITE).circle(7, 0, 1, -2, 0).mass(INFINITE);
     World world = new World(scene.build());
-    assertThat(world.step(10)).isTrue();
+    world.step(10);
     assertThat(world.impacts().size()).isEqualTo(3);
     assertThat(count(world.impacts(), Outcome.PASSED)).isEqualTo(3);
     assertThat(world.x(0)).isZero();
@@ -52,10 +52,10 @@ class InfiniteMassTest {
   void aPressThatBecomesACircleHitsWhatItCrushed() {
     SceneBuilder scene = colliding().bounds(0, 0, 20, 4).circle(1.5, 2, 1, 0, 0);
     World world = new World(scene.circle(10, 2, 1, -1, 0).mass(INFINITE).build());
-    assertThat(world.advanceTo(8)).isTrue();
+    world.advanceTo(8);
     assertThat(count(world.impacts(), Outcome.JAMMED)).isPositive();
     world.setTraits(Kind.CIRCLE, 1, world.traits(Kind.CIRCLE, 1).withMass(1));
-    assertThat(world.advanceTo(50)).isTrue();
+    world.advanceTo(50);
     int meetings = 0;
     for (int i = 0; i < world.impacts().size(); i++) {
       meetings += world.impacts().kind(i) == Kind.CIRCLE ? 1 : 0;
@@ -76,7 +76,7 @@ class InfiniteMassTest {
       for (int i = 0; i < 16; i++) {
         world.setVelocity(i, -turn * world.y(i), turn * world.x(i));
       }
-      assertThat(world.step(0.1)).isTrue();
+      world.step(0.1);
       assertThat(world.impacts().size()).isLessThanOrEqualTo(16 * 15 / 2);
       assertThat(count(world.impacts(), Outcome.PASSED)).isEqualTo(world.impacts().size());
       for (int i = 0; i < 16; i++) {
@@ -98,9 +98,9 @@ class InfiniteMassTest {
     SceneBuilder scene = colliding().circle(0, 0, 1, 0.3, 0).restitution(e);
     scene.circle(-5, 0, 1, 1, 0).mass(INFINITE).circle(5, 0, 1, -1, 0).mass(INFINITE);
     World world = new World(scene.build());
-    assertThat(world.step(2.5)).isTrue();
+    world.step(2.5);
     int rows = world.impacts().size();
-    assertThat(world.step(1)).isTrue();
+    world.step(1);
     rows += world.impacts().size();
     assertThat(count(world.impacts(), Outcome.JAMMED)).isPositive();
     assertThat(rows).isLessThan(3_000);
@@ -109,7 +109,7 @@ class InfiniteMassTest {
     assertThat(world.vx(1)).isEqualTo(1);
     assertThat(world.vx(2)).isEqualTo(-1);
     double crushed = world.x(0);
-    assertThat(world.step(10)).isTrue();
+    world.step(10);
     assertThat(count(world.impacts(), Outcome.PASSED)).as("the doors meet each other").isOne();
     assertThat(world.impacts().size()).isOne();
     assertThat(world.x(0)).isEqualTo(crushed);
@@ -121,11 +121,11 @@ class InfiniteMassTest {
   void aPistonCrushesABallAtAWall(double e) {
     SceneBuilder scene = colliding().bounds(0, 0, 20, 20).circle(15, 10, 1, 0.3, 0).restitution(e);
     World world = new World(scene.circle(5, 10, 1, 1, 0).mass(INFINITE).build());
-    assertThat(world.advanceTo(13)).isTrue();
+    world.advanceTo(13);
     assertThat(world.x(0)).isCloseTo(19, within(1e-4));
     assertThat(world.vx(0)).isZero();
     assertThat(world.x(1)).isCloseTo(18, within(1e-12));
-    assertThat(world.advanceTo(16)).isTrue();
+    world.advanceTo(16);
     assertThat(world.x(1)).as("back from the wall").isCloseTo(17, within(1e-12));
     assertThat(world.x(0)).isCloseTo(19, within(1e-4));
   }
@@ -136,15 +136,15 @@ class InfiniteMassTest {
     SceneBuilder scene = colliding().circle(0, 0, 1, 0, 0).circle(-5, 0, 1, 1, 0).mass(INFINITE);
     scene.circle(5, 0, 1, -1, 0).mass(INFINITE).circle(0, 10, 1, 0, -2).restitution(1);
     World world = new World(scene.build());
-    assertThat(world.advanceTo(4)).isTrue();
+    world.advanceTo(4);
     assertThat(world.y(3)).as("before").isEqualTo(2, within(1e-12));
-    assertThat(world.advanceTo(4.5)).isTrue();
+    world.advanceTo(4.5);
     assertThat(world.vy(3)).as("turned round").isEqualTo(2);
     assertThat(world.y(0)).isZero();
     world.setVelocity(3, 0, 0);
-    assertThat(world.advanceTo(9)).as("the doors are gone").isTrue();
+    world.advanceTo(9);
     world.setVelocity(3, 0, -2);
-    assertThat(world.advanceTo(10)).isTrue();
+    world.advanceTo(10);
     assertThat(world.vy(0)).as("moved").isCloseTo(-2, within(1e-12));
   }
 
@@ -154,13 +154,13 @@ class InfiniteMassTest {
     SceneBuilder scene = colliding().circle(0, 0, 1, 0, 0).circle(-5, 0, 1, 1, 0).mass(INFINITE);
     scene.circle(5, 0, 1, -1, 0).mass(INFINITE).circle(0, 99, 1, 0, 0).restitution(1);
     World world = new World(scene.build());
-    assertThat(world.advanceTo(9)).as("the doors are gone").isTrue();
+    world.advanceTo(9);
     world.setRadius(0, 1);
     world.setPosition(3, -2, 0);
     world.setVelocity(3, 10, 0); // the circle is stuck, so they go on together
-    assertThat(world.advanceTo(9.25)).isTrue();
+    world.advanceTo(9.25);
     assertThat(world.vx(0)).isCloseTo(5, within(1e-12));
-    assertThat(world.advanceTo(10)).isTrue();
+    world.advanceTo(10);
     assertThat(world.impacts().id(0)).as("the door that went ahead").isOne();
     assertThat(world.impacts().time(0)).isCloseTo(9.5, within(0.01));
     assertThat(world.impacts().outcome(0)).isEqualTo(Outcome.BOUNCED);
@@ -173,7 +173,7 @@ class InfiniteMassTest {
     scene.circle(-3, 3.5, 2, 0.5, -1).mass(INFINITE).circle(3, 3.5, 2, -2, -0.5).mass(INFINITE);
     World world = new World(scene.build());
     for (int frame = 1; frame <= 400; frame++) {
-      assertThat(world.advanceTo(frame / 100.0)).isTrue();
+      world.advanceTo(frame / 100.0);
       double nearest = Double.POSITIVE_INFINITY;
       for (int door = 1; door <= 2; door++) {
         double dx = world.x(0) - world.x(door);
@@ -189,8 +189,8 @@ class InfiniteMassTest {
     SceneBuilder scene = colliding().circle(0, 0, 1, 0, 0).circle(-5, 0, 1, 1, 0).mass(INFINITE);
     scene.circle(5, 0, 1, -1, 0).mass(INFINITE).circle(0, 9, 1, 0, -2).mass(INFINITE);
     World world = new World(scene.build());
-    assertThat(world.advanceTo(3)).isTrue();
-    assertThat(world.advanceTo(4)).isTrue();
+    world.advanceTo(3);
+    world.advanceTo(4);
     assertThat(count(world.impacts(), Outcome.JAMMED)).as("it comes").isPositive();
     assertThat(count(world.impacts(), Outcome.BOUNCED)).isZero();
     assertThat(world.vy(0)).isZero();
@@ -206,7 +206,7 @@ class InfiniteMassTest {
       scene.circle(20 + 3 * i, 5, 1, 0, 0).restitution(e);
     }
     World world = new World(scene.circle(2, 5, 1, 1, 0).mass(INFINITE).build());
-    assertThat(world.advanceTo(36)).isTrue();
+    world.advanceTo(36);
     assertThat(world.x(5)).isCloseTo(38, within(1e-12));
     for (int i = 0; i < 5; i++) {
       assertThat(world.x(i)).isBetween(20.0, 39 + 1e-12);

@@ -3,6 +3,7 @@ package dev.carom.stability;
 
 import static org.assertj.core.api.Assertions.assertThat;
 
+import dev.carom.Run;
 import dev.carom.Scene;
 import dev.carom.SceneBuilder;
 import dev.carom.World;
@@ -34,7 +35,7 @@ class JammedCirclesTest {
   private static void assertApart(World world, double end, int steps, double... radii) {
     int calls = 0;
     for (int k = 1; k <= steps; k++) {
-      while (!world.advanceTo(end * k / steps)) {
+      while (!world.advanceTo(end * k / steps, Run.WORK)) {
         assertThat(++calls).as("calls that did not finish").isLessThan(100);
       }
       assertThat(leastGap(world, radii)).as("gap at %s", world.now()).isGreaterThan(-BORNE);
@@ -60,7 +61,8 @@ class JammedCirclesTest {
   void inAnyUnitOfTimeTheSameHappens(int exponent) {
     World world = row(0);
     World other = row(exponent);
-    assertThat(other.advanceTo(Math.scalb(10.0, -exponent))).isEqualTo(world.advanceTo(10));
+    other.advanceTo(Math.scalb(10.0, -exponent));
+    world.advanceTo(10);
     assertThat(other.impacts().size()).isEqualTo(world.impacts().size()).isGreaterThan(5);
     for (int i = 0; i < 5; i++) {
       assertThat(other.x(i)).isEqualTo(world.x(i));

@@ -65,8 +65,8 @@ class NothingHalfDoneTest {
           .isInstanceOf(RuntimeException.class)
           .hasMessageContaining("expected");
       assertThat(world.snapshot()).isEqualTo(undisturbed.snapshot());
-      assertThat(world.step(0.7)).isTrue();
-      assertThat(undisturbed.step(0.7)).isTrue();
+      world.step(0.7);
+      undisturbed.step(0.7);
       assertThat(Play.hits(world)).isEqualTo(Play.hits(undisturbed));
       assertThat(Play.states(world)).isEqualTo(Play.states(undisturbed));
     }

@@ -68,7 +68,8 @@ public final class Billiards implements Example {
       double left = speed > 0 ? Math.max(0, 1 - SLOWING / FRAMES / speed) : 0;
       world.setVelocity(id, left * world.vx(id), left * world.vy(id));
     }
-    Example.advance(world, 1.0 / FRAMES, this::pocket);
+    world.step(1.0 / FRAMES);
+    pocket();
   }
 
   /** Takes the balls that met a pocket off the table. */

@@ -66,7 +66,8 @@ public final class Breakout implements Example {
   @Override
   public void frame() {
     movePaddle();
-    Example.advance(world, 1, this::readLog);
+    world.step(1);
+    readLog();
   }
 
   private void readLog() {

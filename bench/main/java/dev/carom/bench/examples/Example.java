@@ -2,7 +2,6 @@
 package dev.carom.bench.examples;
 
 import dev.carom.Vec2;
-import dev.carom.World;
 import java.awt.Dimension;
 import java.awt.Graphics2D;
 import java.awt.geom.Rectangle2D;
@@ -51,18 +50,4 @@ public interface Example {
    * @param down whether it was pressed
    */
   default void key(int code, boolean down) {}
-
-  /**
-   * Advances a world by a time span, in as many calls as its budget of work asks for.
-   *
-   * @param readLog reads the impacts of a call: the next one empties the log
-   */
-  static void advance(World world, double dt, Runnable readLog) {
-    double end = world.now() + dt;
-    boolean done;
-    do {
-      done = world.advanceTo(end);
-      readLog.run();
-    } while (!done);
-  }
 }

@@ -66,7 +66,7 @@ public final class GameLoop implements Example {
   }
 
   private void step() {
-    Example.advance(world, DT, () -> {});
+    world.step(DT);
   }
 
   /** The moment that is shown, at most a step before the world's. */

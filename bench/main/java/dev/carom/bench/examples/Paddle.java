@@ -61,7 +61,8 @@ public final class Paddle implements Example {
   @Override
   public void frame() {
     swing(goal == null ? follow() : goal);
-    Example.advance(world, 1, this::readLog);
+    world.step(1);
+    readLog();
   }
 
   private void readLog() {

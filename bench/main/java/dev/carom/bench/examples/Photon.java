@@ -70,7 +70,8 @@ public final class Photon implements Example {
 
   @Override
   public void frame() {
-    Example.advance(world, Math.min(1, END - world.now()), this::readLog);
+    world.step(Math.min(1, END - world.now()));
+    readLog();
   }
 
   private void readLog() {

@@ -72,7 +72,8 @@ public final class Pinball implements Example {
       goal = 8 + 7 * (balls * 0.618 % 1);
     }
     plunge();
-    Example.advance(world, 1, this::readLog);
+    world.step(1);
+    readLog();
   }
 
   /** Sets the velocity that leads to the goal, and no further: down slowly, then up at once. */

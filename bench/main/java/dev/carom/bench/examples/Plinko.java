@@ -93,7 +93,8 @@ public final class Plinko implements Example {
       world.setTraits(Kind.CIRCLE, ball, world.traits(Kind.CIRCLE, ball).withRestitution(0.5));
       dropped++;
     }
-    Example.advance(world, 1, this::count);
+    world.step(1);
+    count();
   }
 
   private void count() {

@@ -60,7 +60,7 @@ public final class WhatIf implements Example {
     was = new World(scene.build());
     other = new World(was.scene());
     past = was.record(END);
-    Example.advance(was, END, () -> {});
+    was.step(END);
     drawing = SceneDrawing.of(was.scene()).withMargin(8).withArrowTime(0);
     shown = 60;
     press();
@@ -74,7 +74,7 @@ public final class WhatIf implements Example {
     other.restore(past.snapshot(fork));
     future = other.record(END);
     other.moveLine(WALL, mouse.x(), mouse.y() - HALF, mouse.x(), mouse.y() + HALF);
-    Example.advance(other, END - fork, () -> {});
+    other.step(END - fork);
   }
 
   @Override

@@ -43,28 +43,23 @@ public record GasSteady(
 
     Round play(long enough) {
       while (collisions < enough) {
-        double end = Math.floor(world.now()) + 1;
-        boolean complete;
-        do {
-          complete = step(end);
-        } while (!complete);
+        step(Math.floor(world.now()) + 1);
         frames++;
       }
       return this;
     }
 
-    private boolean step(double end) {
+    private void step(double end) {
       long asked = THREADS.getCurrentThreadAllocatedBytes();
       long before = THREADS.getCurrentThreadAllocatedBytes();
       long start = System.nanoTime();
-      boolean complete = world.advanceTo(end);
+      world.advanceTo(end);
       nanos += System.nanoTime() - start;
       bytes += THREADS.getCurrentThreadAllocatedBytes() - before - (before - asked);
       ImpactLog log = world.impacts();
       for (int row = 0; row < log.size(); row++) {
         collisions += log.kind(row) == Kind.CIRCLE ? 1 : 0;
       }
-      return complete;
     }
   }
 

@@ -185,78 +185,72 @@ public class EditBenchmark {
    * A frame in which nothing was edited.
    *
    * @param s the world
-   * @return how the step ended
    */
   @Benchmark
-  public boolean paddlesRest(Paddles s) {
-    return s.world.step(1);
+  public void paddlesRest(Paddles s) {
+    s.world.step(1);
   }
 
   /**
    * The velocities of both paddles set, and a frame.
    *
    * @param s the world
-   * @return how the step ended
    */
   @Benchmark
-  public boolean paddlesMove(Paddles s) {
+  public void paddlesMove(Paddles s) {
     s.frame++;
     for (int id = 0; id < 2; id++) {
       s.world.setVelocity(Kind.PEG, id, s.toAndFro(0.1, 0), s.toAndFro(0.07, 5));
     }
-    return s.world.step(1);
+    s.world.step(1);
   }
 
   /**
    * Both paddles placed, and a frame.
    *
    * @param s the world
-   * @return how the step ended
    */
   @Benchmark
-  public boolean paddlesJump(Paddles s) {
+  public void paddlesJump(Paddles s) {
     s.frame++;
     for (int id = 0; id < 2; id++) {
       s.world.movePeg(id, 200 + 400 * id + s.toAndFro(1, 0), 300 + s.toAndFro(1, 5), 10);
     }
-    return s.world.step(1);
+    s.world.step(1);
   }
 
   /**
    * The velocity of the circle set, and a frame.
    *
    * @param s the world
-   * @return how the step ended
    */
   @Benchmark
-  public boolean circleSteered(Paddles s) {
+  public void circleSteered(Paddles s) {
     s.frame++;
     s.world.setVelocity(0, s.toAndFro(4, 0), s.toAndFro(3, 5));
-    return s.world.step(1);
+    s.world.step(1);
   }
 
   /**
    * All velocities set, and a frame.
    *
    * @param s the world
-   * @return how the step ended
    */
   @Benchmark
-  public boolean steer(Steered s) {
+  public void steer(Steered s) {
     s.steer();
-    return s.world.step(1);
+    s.world.step(1);
   }
 
   /**
    * One velocity set, and a frame.
    *
    * @param s the world
-   * @return how the step ended
    */
   @Benchmark
-  public boolean steerOne(Steered s) {
+  public void steerOne(Steered s) {
     s.steerOne();
-    return s.world.step(1);
+    s.world.step(1);
   }
 
   /** One velocity set. */
@@ -348,24 +342,22 @@ public class EditBenchmark {
    * The same with the step after it, which searches for every circle.
    *
    * @param s the worlds
-   * @return how the step ended
    */
   @Benchmark
-  public boolean restoreAndStepAlone(Thousand s) {
+  public void restoreAndStepAlone(Thousand s) {
     s.alone.restore(s.ofAlone);
-    return s.alone.step(0.01);
+    s.alone.step(0.01);
   }
 
   /**
    * The same with the step after it, which foresees everything anew.
    *
    * @param s the worlds
-   * @return how the step ended
    */
   @Benchmark
-  public boolean restoreAndStepGas(Thousand s) {
+  public void restoreAndStepGas(Thousand s) {
     s.gas.restore(s.ofGas);
-    return s.gas.step(0.01);
+    s.gas.step(0.01);
   }
 
   /**
@@ -388,21 +380,19 @@ public class EditBenchmark {
    * A frame of the canonical scene.
    *
    * @param s the worlds
-   * @return how the step ended
    */
   @Benchmark
-  public boolean frame(Recorded s) {
-    return s.plain.step(1);
+  public void frame(Recorded s) {
+    s.plain.step(1);
   }
 
   /**
    * A frame of the canonical scene that is recorded.
    *
    * @param s the worlds
-   * @return how the step ended
    */
   @Benchmark
-  public boolean frameRecorded(Recorded s) {
-    return s.recording.step(1);
+  public void frameRecorded(Recorded s) {
+    s.recording.step(1);
   }
 }

@@ -46,10 +46,10 @@ public class WorldBenchmark {
     world = new World(scene);
   }
 
-  /** One frame of trajectories that go on and on, unlike those of a replay: how the step ended. */
+  /** One frame of trajectories that go on and on, unlike those of a replay. */
   @Benchmark
-  public boolean frame() {
-    return world.step(1);
+  public void frame() {
+    world.step(1);
   }
 
   /** A world of the scene, ready for its first step. */

@@ -26,6 +26,9 @@ public final class RunHash {
 
   private static final int BUFFER = 1 << 14;
 
+  /** The most impacts that a call lists in the log: their rows take some 160 MB. */
+  private static final long WORK = 2_000_000;
+
   private final MessageDigest digest = sha256();
   private final ByteBuffer bytes = ByteBuffer.allocate(BUFFER);
   private final String hex;
@@ -36,7 +39,7 @@ public final class RunHash {
     for (int frame = 1; frame <= frames; frame++) {
       boolean complete;
       do {
-        complete = world.advanceTo(frame);
+        complete = world.advanceTo(frame, WORK);
         add(world.impacts());
       } while (!complete);
     }

@@ -8,6 +8,7 @@ import dev.carom.internal.response.Shock;
 import dev.carom.internal.state.CircleRegistry;
 import dev.carom.internal.state.CircleTable;
 import dev.carom.internal.state.Codes;
+import dev.carom.internal.state.EngineDescription;
 import dev.carom.internal.state.EngineOptions;
 import dev.carom.internal.state.FlightRow;
 import dev.carom.internal.state.FlightTable;
@@ -36,11 +37,6 @@ import java.util.List;
  */
 public final class CollidingEngine extends Engine {
 
-  /** The budget of events in one call, and its increase for each circle. */
-  private static final int EVENTS_PER_CALL = 2_000_000;
-
-  private static final int EVENTS_PER_CIRCLE = 1_000;
-
   /**
    * After so many collisions for each circle, the engine looks whether most have left the narrow
    * cells. As many collisions take several times as long as to make new cells.
@@ -68,9 +64,6 @@ public final class CollidingEngine extends Engine {
   private double lastEvent;
 
   private double lastEventTail;
-
-  /** The work of all calls. */
-  long spent;
 
   /** After so many more collisions, the engine looks where the circles are. */
   private int untilLook;
@@ -122,14 +115,14 @@ public final class CollidingEngine extends Engine {
   }
 
   @Override
-  public String engineDescription() {
-    return staticScene.model(true).toString();
+  public EngineDescription description() {
+    return staticScene.model(true);
   }
 
   @Override
-  public double advanceToImpact(double end) {
+  public double advanceToImpact(double end, long work) {
     stopsAtImpact = true;
-    double time = advance(end);
+    double time = advance(end, work);
     stopsAtImpact = false;
     return time;
   }
@@ -139,7 +132,7 @@ public final class CollidingEngine extends Engine {
   }
 
   @Override
-  public double advance(double last) {
+  public double advance(double last, long work) {
     unfinished = false;
     end = last;
     prepare(last);
@@ -148,8 +141,7 @@ public final class CollidingEngine extends Engine {
       begin();
     }
     scheduler.beginStep();
-    long usual = EVENTS_PER_CALL + (long) EVENTS_PER_CIRCLE * registry.count();
-    spent += play((long) (usual * options.budget()));
+    spent += play(work);
     return reached;
   }
 
@@ -166,7 +158,6 @@ public final class CollidingEngine extends Engine {
       long done = events + solved + work.impactsSince(before);
       if (done >= budget && (tick <= end || scheduler.isAnyDue(end))) {
         unfinished = true;
-        spender = busiest();
         return done;
       }
       // A tick comes before other events at its time.
@@ -204,7 +195,8 @@ public final class CollidingEngine extends Engine {
    * The circle with the most impacts in the log; if the log is empty, the circle with the next
    * event.
    */
-  private int busiest() {
+  @Override
+  public int spender() {
     if (log.size() == 0) {
       return scheduler.first();
     }

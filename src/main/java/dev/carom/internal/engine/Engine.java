@@ -5,6 +5,7 @@ import dev.carom.internal.response.ObstacleResponse;
 import dev.carom.internal.state.CircleRegistry;
 import dev.carom.internal.state.CircleTable;
 import dev.carom.internal.state.Codes;
+import dev.carom.internal.state.EngineDescription;
 import dev.carom.internal.state.EngineOptions;
 import dev.carom.internal.state.FlightTable;
 import dev.carom.internal.state.Gravity;
@@ -14,7 +15,6 @@ import dev.carom.internal.state.MovingCircle;
 import dev.carom.internal.state.SceneData;
 import dev.carom.internal.state.TimelineRecorder;
 import dev.carom.internal.state.WorldState;
-import dev.carom.internal.util.Index;
 
 /**
  * Advances the circles of a world. There is one engine for circles that ignore each other and one
@@ -22,6 +22,11 @@ import dev.carom.internal.util.Index;
  * checked the arguments.
  */
 public abstract class Engine {
+
+  /** The usual budget of a call, in units of work: of all circles, and for each besides. */
+  static final int WORK_PER_CALL = 2_000_000;
+
+  static final int WORK_PER_CIRCLE = 1_000;
 
   final CircleRegistry registry;
   public final CircleTable circles;
@@ -36,8 +41,8 @@ public abstract class Engine {
   /** Whether the last {@link #advance} exhausted the budget. */
   public boolean unfinished;
 
-  /** The slot of the circle that exhausted the budget, if {@link #unfinished}. */
-  public int spender = Index.NONE;
+  /** The work of all calls. A unit is an impact or another event, or exact work as long. */
+  public long spent;
 
   /** A circle to record. */
   private final MovingCircle changed = new MovingCircle();
@@ -92,20 +97,30 @@ public abstract class Engine {
   /** Forgets all that depends on gravity, when no circle is in contact. */
   void changeGravity() {}
 
-  /**
-   * Advances all circles to the given time, or to an earlier one if the budget of work is
-   * exhausted.
-   */
-  public abstract double advance(double end);
+  /** The work that a call may do if its caller does not say how much. */
+  public final long usualWork() {
+    return WORK_PER_CALL + (long) WORK_PER_CIRCLE * registry.count();
+  }
 
   /**
-   * Advances all circles to the first double that is not before the next impact, but at most to the
-   * given time.
+   * Advances all circles to the given time, or to an earlier one if the budget is exhausted.
+   *
+   * @param work the budget
+   * @return the time reached
    */
-  public abstract double advanceToImpact(double end);
+  public abstract double advance(double end, long work);
 
-  /** The search structures in use, in words. */
-  public abstract String engineDescription();
+  /**
+   * Advances all circles as {@link #advance} does, but no further than to the first double that is
+   * not before the next impact, or the next event of another kind.
+   */
+  public abstract double advanceToImpact(double end, long work);
+
+  /** The slot of the circle that spent most of the work of the last call, if that was too much. */
+  public abstract int spender();
+
+  /** The search structures in use. */
+  public abstract EngineDescription description();
 
   /**
    * Begins a new flight of a circle, which may be a new one.

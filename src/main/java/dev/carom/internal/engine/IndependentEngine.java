@@ -9,6 +9,7 @@ import dev.carom.internal.state.CircleRegistry;
 import dev.carom.internal.state.CircleTable;
 import dev.carom.internal.state.Codes;
 import dev.carom.internal.state.DueTimes;
+import dev.carom.internal.state.EngineDescription;
 import dev.carom.internal.state.EngineOptions;
 import dev.carom.internal.state.FlightTable;
 import dev.carom.internal.state.ImpactRows;
@@ -26,35 +27,24 @@ public final class IndependentEngine extends Engine {
   /** Circles that a step may advance before the undo log grows. */
   private static final int JOURNAL = 1024;
 
-  /**
-   * The budget of impacts of all circles together in one call, as the documentation of World states
-   * it.
-   */
-  private static final int IMPACTS_PER_CALL = 2_000_000;
-
-  /** The budget of impacts that each circle has in a call, however many the others made. */
-  private static final int IMPACTS_PER_CIRCLE = 1_000;
-
-  private final long impactsPerCall;
-  private final long impactsPerCircle;
-
   private final UndoLog undoLog;
   private final DuePrefetcher prefetcher;
 
   private final Shock shock;
   private final LoneContact contact;
 
-  /** Whether a tick comes before the next impact. */
-  private boolean ticksNext;
+  /** The work that each circle may do in this call, however much the others did. */
+  private long ownWork;
 
-  /** Impacts made in this pass, and exact work in units of impacts. */
-  private long spent;
+  /** When this much is {@link #spent}, no circle may do more in this pass than its own work. */
+  private long commonLimit;
+
+  /** The circle that comes next, or exhausted the budget. */
+  private int spender;
 
   public IndependentEngine(
       SceneData scene, CircleRegistry registry, EngineOptions options, ImpactRows log) {
     super(scene, registry, new CircleTable(scene.circleCount()), options, log);
-    impactsPerCall = (long) (IMPACTS_PER_CALL * options.budget());
-    impactsPerCircle = (long) (IMPACTS_PER_CIRCLE * options.budget());
     int count = circles.count;
     prefetcher = new DuePrefetcher(circles, staticScene);
     undoLog = new UndoLog(Math.min(count, JOURNAL));
@@ -70,25 +60,26 @@ public final class IndependentEngine extends Engine {
   }
 
   @Override
-  public String engineDescription() {
-    return staticScene.model(false).toString();
+  public EngineDescription description() {
+    return staticScene.model(false);
   }
 
   /**
    * Advances all circles to the given time. If a circle exhausts the budget earlier, all are
-   * advanced to the time of its last impact instead.
-   *
-   * @return the time reached
+   * advanced to the time of its last impact instead. Each circle makes at least one impact.
    */
   @Override
-  public double advance(double end) {
+  public double advance(double end, long work) {
     prepare(end);
+    ownWork = Math.max(1, work / (WORK_PER_CALL / WORK_PER_CIRCLE + registry.count()));
+    long commonWork = work - ownWork * registry.count();
     undoLog.clear();
     unfinished = false;
     reached = end;
     double goal;
     do {
       goal = reached;
+      commonLimit = spent + commonWork;
       reached = pass(goal);
       if (reached < goal) {
         undoLog.restore(circles);
@@ -102,15 +93,14 @@ public final class IndependentEngine extends Engine {
   }
 
   @Override
-  public double advanceToImpact(double end) {
-    while (true) {
-      prepare(end);
-      double next = nextEvent(end);
-      double time = advance(Math.min(end, next));
-      if (!ticksNext || next >= end || unfinished || log.size() > 0) {
-        return time;
-      }
-    }
+  public double advanceToImpact(double end, long work) {
+    prepare(end);
+    return advance(Math.min(end, nextEvent(end)), work);
+  }
+
+  @Override
+  public int spender() {
+    return spender;
   }
 
   /**
@@ -118,7 +108,6 @@ public final class IndependentEngine extends Engine {
    * given time.
    */
   private double nextEvent(double end) {
-    ticksNext = false;
     DueTimes due = circles.due;
     MovingCircle m = circles.body;
     while (true) {
@@ -126,9 +115,9 @@ public final class IndependentEngine extends Engine {
       if (i == due.size()) {
         return Double.POSITIVE_INFINITY;
       }
+      spender = i;
       circles.load(i);
-      ticksNext = m.ticksNext();
-      if (ticksNext) {
+      if (m.ticksNext()) {
         return m.due();
       }
       if (m.next != MovingCircle.NOTHING) {
@@ -145,7 +134,6 @@ public final class IndependentEngine extends Engine {
    * budget.
    */
   private double pass(double goal) {
-    spent = 0;
     ExactBudget work = ExactBudget.ofThread();
     DueTimes due = circles.due;
     double end = goal;
@@ -172,7 +160,7 @@ public final class IndependentEngine extends Engine {
    * @return the time of the last one if the budget is exhausted, else {@code +infinity}
    */
   private double resolveUntil(MovingCircle m, ExactBudget work, double end) {
-    long allowance = Math.max(impactsPerCircle, impactsPerCall - spent);
+    long allowance = Math.max(ownWork, commonLimit - spent);
     long before = work.bits();
     int impacts = 0;
     double reached = 0;

@@ -10,22 +10,16 @@ package dev.carom.internal.state;
  * @param pairCells the width of the cells for circles that collide, in largest diameters
  * @param slack how many removed circles are tolerated before arrays are compacted, as a multiple of
  *     the live ones and a constant
- * @param budget the work that a call may do, as a multiple of the usual budget
  */
-public record EngineOptions(
-    boolean grid, double cell, double pairCells, double slack, double budget) {
+public record EngineOptions(boolean grid, double cell, double pairCells, double slack) {
 
   /** All options are chosen by the scene. */
-  public static final EngineOptions CHOSEN = new EngineOptions(true, 0, 1, 1, 1);
+  public static final EngineOptions CHOSEN = new EngineOptions(true, 0, 1, 1);
 
   /** No grid: every obstacle is tested. */
-  public static final EngineOptions EACH = new EngineOptions(false, 0, 1, 1, 1);
+  public static final EngineOptions EACH = new EngineOptions(false, 0, 1, 1);
 
   public static EngineOptions cells(double cell) {
-    return new EngineOptions(true, cell, 1, 1, 1);
-  }
-
-  public static EngineOptions budget(double budget) {
-    return new EngineOptions(true, 0, 1, 1, budget);
+    return new EngineOptions(true, cell, 1, 1);
   }
 }

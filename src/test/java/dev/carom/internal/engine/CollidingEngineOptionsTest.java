@@ -85,7 +85,7 @@ class CollidingEngineOptionsTest {
     World world = new World(scene);
     List<Run.Row> rows = new ArrayList<>();
     while (rows.size() < 300 && world.now() < 100) {
-      Run.step(world, 0.25);
+      world.step(0.25);
       rows.addAll(Run.rows(world.impacts()));
     }
     ImpactLog plain = new PlainWorld(scene).advance(world.now(), rows.size() + 1);
@@ -106,7 +106,7 @@ class CollidingEngineOptionsTest {
         for (EngineOptions grid :
             List.of(EngineOptions.EACH, EngineOptions.cells(17), EngineOptions.cells(200))) {
           World world =
-              Internals.world(scene, new EngineOptions(grid.grid(), grid.cell(), diameters, 1, 1));
+              Internals.world(scene, new EngineOptions(grid.grid(), grid.cell(), diameters, 1));
           assertThat(Run.advance(world, 0.5, 10, 25)).as("cells %s", diameters).isEqualTo(chosen);
         }
       }
@@ -178,7 +178,7 @@ class CollidingEngineOptionsTest {
   /** The scene without the circles that have an impact at time 0, all of which would be ties. */
   private static Scene withoutOverlaps(Scene scene) {
     World world = new World(scene);
-    Run.step(world, 0);
+    world.step(0);
     List<Integer> early = new ArrayList<>();
     for (Run.Row row : Run.rows(world.impacts())) {
       early.add(row.circle());

@@ -6,7 +6,6 @@ import static org.assertj.core.api.Assertions.assertThat;
 import dev.carom.Circle;
 import dev.carom.Internals;
 import dev.carom.Line;
-import dev.carom.Run;
 import dev.carom.Scene;
 import dev.carom.SceneBuilder;
 import dev.carom.World;
@@ -62,7 +61,7 @@ class DuePrefetcherTest {
       parts[k] = new World(part(scene, k * each, (k + 1) * each));
     }
     for (int step = 0; step < 20; step++) {
-      Run.step(world, 1);
+      world.step(1);
       for (int k = 0; k < parts.length; k++) {
         parts[k].step(1);
         for (int i = 0; i < each; i++) {

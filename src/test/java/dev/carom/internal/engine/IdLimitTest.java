@@ -57,7 +57,7 @@ class IdLimitTest {
     World world = old(collide, CIRCLES - 1);
     int last = world.addCircle(50, 20, 3, 0, 9, Traits.DEFAULT);
     assertThat(last).isEqualTo(CIRCLES - 1);
-    Run.step(world, 10);
+    world.step(10);
     assertThat(world.impacts().size()).isPositive();
     Snapshot snapshot = world.snapshot();
     assertThat(SnapshotBytes.copy(snapshot)).isEqualTo(snapshot);
@@ -79,7 +79,7 @@ class IdLimitTest {
     assertThat(uncertainty.lostAt(last)).isZero();
     world.remove(CIRCLE, 7);
     uncertainty.restart(last);
-    Run.step(world, 10);
+    world.step(10);
     assertThat(world.impacts().size()).isPositive();
     uncertainty.update();
     for (int id : new int[] {0, CIRCLES - 2, last}) {
@@ -88,7 +88,7 @@ class IdLimitTest {
   }
 
   private static ImpactLog after(World world) {
-    Run.step(world, 20);
+    world.step(20);
     return world.impacts();
   }
 
@@ -105,7 +105,7 @@ class IdLimitTest {
                 + " reused");
     assertThat(world.snapshot()).isEqualTo(before);
     assertThat(world.idLimit(CIRCLE)).isEqualTo(CIRCLES);
-    assertThat(world.step(5)).isTrue();
+    world.step(5);
   }
 
   /** So many rows would take gigabytes: here they are only said to be there. */
@@ -139,9 +139,9 @@ class IdLimitTest {
     World world = old(collide, CIRCLES - 10);
     Timeline past = world.record(100);
     int id = world.addCircle(50, 20, 3, 0, 9, Traits.DEFAULT);
-    Run.step(world, 4);
+    world.step(4);
     world.remove(CIRCLE, 0);
-    Run.step(world, 4);
+    world.step(4);
     assertThat(past.x(7, 0)).isEqualTo(50);
     assertThat(past.y(id, 0.5)).isEqualTo(24.5);
     assertThat(past.contains(CIRCLE, 0, 3.5)).isTrue();

@@ -5,7 +5,6 @@ import static org.assertj.core.api.Assertions.assertThat;
 
 import dev.carom.Internals;
 import dev.carom.Response;
-import dev.carom.Run;
 import dev.carom.Scene;
 import dev.carom.SceneBuilder;
 import dev.carom.SweptCircle;
@@ -33,7 +32,7 @@ class StaticSceneTest {
 
   /** The time of the first impact of circle 0, which comes from (10, 50) along x. */
   private static double firstImpact(World world) {
-    Run.to(world, world.now() + 100);
+    world.advanceTo(world.now() + 100);
     assertThat(world.impacts().size()).isPositive();
     assertThat(world.impacts().circle(0)).isZero();
     return world.impacts().time(0);
@@ -46,8 +45,8 @@ class StaticSceneTest {
       scene.line(10 * i, 0, 10 * i, 40);
     }
     // 80 by 40, grown by the radius on each side, and a ring of cells around: 11 by 7.
-    assertThat(Internals.world(scene.build(), EngineOptions.cells(10)).engineDescription())
-        .isEqualTo("circles that ignore each other, 9 lines and pegs in 1 grid of 77 cells");
+    assertThat(Internals.world(scene.build(), EngineOptions.cells(10)).toString())
+        .endsWith("; circles that ignore each other, 9 lines and pegs in 1 grid of 77 cells]");
   }
 
   @Test
@@ -70,11 +69,11 @@ class StaticSceneTest {
     }
     World world = new World(scene.build());
     World edited = new World(scene.build());
-    Run.to(world, 1 / 3.0);
-    Run.to(edited, 1 / 3.0);
+    world.advanceTo(1 / 3.0);
+    edited.advanceTo(1 / 3.0);
     edited.addLine(5, 0, 5, 100, Traits.DEFAULT);
-    Run.to(world, 10 / 7.0);
-    Run.to(edited, 10 / 7.0);
+    world.advanceTo(10 / 7.0);
+    edited.advanceTo(10 / 7.0);
     for (int i = 0; i < MANY; i++) {
       assertThat(edited.x(i)).isEqualTo(world.x(i));
       assertThat(edited.y(i)).isEqualTo(world.y(i));

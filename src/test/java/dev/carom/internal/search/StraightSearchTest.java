@@ -10,7 +10,6 @@ import dev.carom.Internals;
 import dev.carom.Kind;
 import dev.carom.Line;
 import dev.carom.Resolver;
-import dev.carom.Run;
 import dev.carom.Scene;
 import dev.carom.SceneBuilder;
 import dev.carom.SweptCircle;
@@ -30,7 +29,7 @@ import org.junit.jupiter.params.provider.ValueSource;
 class StraightSearchTest {
 
   private static ImpactLog step(World world, double dt) {
-    Run.step(world, dt);
+    world.step(dt);
     return world.impacts();
   }
 
@@ -274,7 +273,7 @@ class StraightSearchTest {
       scene.line(i * unit, 20 * unit, (i + 1) * unit, 20 * unit);
     }
     World world = new World(scene.circle(50 * unit, 50 * unit, 2 * unit, 0, 0).build());
-    assertThat(world.engineDescription()).contains("grid");
+    assertThat(world.toString()).contains("grid");
     Circle circle = new Circle(Math.nextUp(2 * unit), 97 * unit, 2 * unit);
     for (double drift : new double[] {0, -0x1p-60, -0x1p-58}) {
       Impact impact = world.cast(circle, new Vec2(drift * fast, -fast), never).orElseThrow();
@@ -295,7 +294,7 @@ class StraightSearchTest {
     SceneBuilder builder = Scene.builder().bounds(0, 0, 100, 100).circle(50, 50, 1, 1, 0);
     builder.line(x, 40, x, 60).line(x, 40, x, 60);
     World world = Internals.world(builder.build(), EngineOptions.cells(10));
-    Run.step(world, 1);
+    world.step(1);
     world.remove(Kind.LINE, 0);
     ImpactLog log = step(world, 50);
     assertThat(log.kind(0)).isEqualTo(Kind.LINE);
@@ -367,7 +366,7 @@ class StraightSearchTest {
     SceneBuilder setup = Scene.builder().circle(-far, -far, far / 8, 1e150, 1e150);
     Scene scene = setup.line(far / 4, -far / 4, -far / 4, far / 4).build();
     World world = new World(scene);
-    Run.to(world, 1e50);
+    world.advanceTo(1e50);
     assertThat(world.impacts().size()).isEqualTo(1);
     assertThat(world.impacts().kind(0)).isEqualTo(Kind.LINE);
     assertThat(world.impacts().time(0))
@@ -424,9 +423,9 @@ class StraightSearchTest {
         first = Math.min(first, time);
       }
       World world = new World(scene.circle(x, y, unit, 0, v).build());
-      assertThat(world.engineDescription())
+      assertThat(world.toString())
           .contains(Math.abs(exponent) < 400 ? "1 grid" : "12 lines and pegs without a grid");
-      Run.to(world, (200 * unit - y) / v);
+      world.advanceTo((200 * unit - y) / v);
       double told =
           world.impacts().size() == 0 ? Double.POSITIVE_INFINITY : world.impacts().time(0);
       assertThat(told).isEqualTo(first);

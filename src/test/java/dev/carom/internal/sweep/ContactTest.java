@@ -11,7 +11,6 @@ import dev.carom.ImpactLog;
 import dev.carom.Line;
 import dev.carom.Obstacle;
 import dev.carom.Resolver;
-import dev.carom.Run;
 import dev.carom.Scene;
 import dev.carom.SceneBuilder;
 import dev.carom.SweptCircle;
@@ -109,7 +108,7 @@ class ContactTest {
         scene.peg(second.x(), second.y(), second.radius());
       }
       World world = new World(scene.build());
-      Run.step(world, 0);
+      world.step(0);
       ImpactLog log = world.impacts();
       Optional<Impact> impact = SweptCircle.cast(first, v, second, u, 0);
       assertThat(log.size()).isEqualTo(impact.isPresent() ? 1 : 0);
