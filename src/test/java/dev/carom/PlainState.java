@@ -76,7 +76,7 @@ abstract class PlainState {
 
   private void respond() {
     falls = new PlainFall(obstacles);
-    response = new ObstacleResponse(obstacles, gravity, this::addObstacles);
+    response = new ObstacleResponse(obstacles, registry, gravity, this::addObstacles);
     pairs = new PairResponse(registry, response);
     shock = new Shock(registry, obstacles, this::addObstacles, collide ? new All() : null);
     response.ask(shock);

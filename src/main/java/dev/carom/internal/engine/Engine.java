@@ -62,7 +62,7 @@ public abstract class Engine {
     staticScene = new StaticScene(scene, options);
     circles.setFilters(registry, staticScene.obstacles);
     gravity = new Gravity(scene.gx, scene.gy);
-    response = new ObstacleResponse(staticScene.obstacles, gravity, staticScene::addNear);
+    response = new ObstacleResponse(staticScene.obstacles, registry, gravity, staticScene::addNear);
     if (gravity.acts()) {
       circles.allowGravity();
     }

@@ -102,7 +102,7 @@ public final class Tracer {
    */
   public TracedPath trace(MovingCircle body, double duration, int number, int most) {
     grid = index.grid(body.radius);
-    ObstacleResponse response = new ObstacleResponse(obstacles, gravity, this::addNear);
+    ObstacleResponse response = new ObstacleResponse(obstacles, null, gravity, this::addNear);
     Shock shock = new Shock(null, obstacles, this::addNear, null);
     response.ask(shock);
     LoneContact contact = new LoneContact(obstacles, null, gravity, this::addNear);

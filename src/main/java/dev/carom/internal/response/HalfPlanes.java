@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 package dev.carom.internal.response;
 
+import dev.carom.internal.util.Index;
 import java.util.Arrays;
 
 /**
@@ -19,6 +20,11 @@ final class HalfPlanes {
   double y;
   private double distance;
   private double slack;
+
+  /** The half planes on whose borders the answer is; the same twice for one, NONE at the start. */
+  private int first;
+
+  private int second;
 
   void clear() {
     count = 0;
@@ -73,6 +79,8 @@ final class HalfPlanes {
     slack = noise;
     x = vx;
     y = vy;
+    first = Index.NONE;
+    second = Index.NONE;
     if (holds(vx, vy, -1, -1)) return true;
     distance = Double.POSITIVE_INFINITY;
     for (int i = 0; i < count; i++) {
@@ -96,5 +104,19 @@ final class HalfPlanes {
     distance = d;
     x = cx;
     y = cy;
+    first = i;
+    second = j;
+  }
+
+  /** The factor l of half plane k, with {@code u - v = sum of l n}, for the v that was given. */
+  double multiplier(int k, double vx, double vy) {
+    if (k != first && k != second) {
+      return 0;
+    }
+    if (first == second) {
+      return (x - vx) * nx[k] + (y - vy) * ny[k];
+    }
+    int o = k == first ? second : first;
+    return ((x - vx) * ny[o] - (y - vy) * nx[o]) / (nx[k] * ny[o] - ny[k] * nx[o]);
   }
 }

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 package dev.carom.internal.response;
 
+import dev.carom.internal.state.CircleRegistry;
 import dev.carom.internal.state.Codes;
 import dev.carom.internal.state.Gravity;
 import dev.carom.internal.state.IgnoreList;
@@ -40,6 +41,7 @@ public final class ObstacleResponse {
   public static final int JOIN = 3;
 
   private final ObstacleTable obstacles;
+  private final CircleRegistry registry;
   private final Impulse impulse = new Impulse();
 
   /** The contact of the current impact; {@link #report} fills it. */
@@ -62,9 +64,17 @@ public final class ObstacleResponse {
   private final LoneContact.Nearby nearby;
   private final IntList near = new IntList();
 
-  public ObstacleResponse(ObstacleTable obstacles, Gravity gravity, LoneContact.Nearby nearby) {
+  /**
+   * @param registry null for a circle of no world, which has mass 1
+   */
+  public ObstacleResponse(
+      ObstacleTable obstacles,
+      CircleRegistry registry,
+      Gravity gravity,
+      LoneContact.Nearby nearby) {
     this.nearby = nearby;
     this.obstacles = obstacles;
+    this.registry = registry;
     sliding = new Sliding(obstacles, gravity);
     rule = new ImpactRule(gravity);
     point = new ContactPoint(obstacles);
@@ -207,6 +217,9 @@ public final class ObstacleResponse {
       m.settled &= isSlow;
       return NEW_FLIGHT;
     }
+    if (what == ImpactRule.SLIDE) {
+      setImpulse(m, vn, 0, log);
+    }
     ImpactRule.mark(m, isSlow, log);
     if (what == ImpactRule.SLIDE && onSide) {
       sliding.slide(m, code, point.nx, point.ny);
@@ -226,6 +239,7 @@ public final class ObstacleResponse {
   /** Changes the velocity of a circle that approaches. */
   private void change(MovingCircle m, int code, double vn, double e, ImpactRows log) {
     if (vn < 0) {
+      setImpulse(m, vn, e, log);
       reflect(m, code, e);
       if (ImpactRule.stopsBeyondRange(m)) {
         log.setOutcome(ImpactRows.STOPPED);
@@ -233,6 +247,12 @@ public final class ObstacleResponse {
         log.setOutcome(ImpactRows.HALTED);
       }
     }
+  }
+
+  /** Writes the impulse {@code -(1 + e) m (s.n) / (n.n) n} into the row of an impact. */
+  private void setImpulse(MovingCircle m, double vn, double e, ImpactRows log) {
+    double mass = registry == null ? 1 : registry.mass(m.id);
+    log.setImpulse(-(1 + e) * mass * vn);
   }
 
   /** Writes a contact with a sensor. The flight goes on, and is known up to there. */

@@ -188,7 +188,7 @@ public final class PairResponse {
       if (stuck) {
         impulse.of(1, ux, uy, nx, ny);
       }
-      change(a, massA, b, massB, halt, log);
+      change(a, massA, b, massB, stuck ? 0 : e, halt, log);
     }
     if (stuck) {
       log.setOutcome(ImpactRows.JAMMED);
@@ -213,7 +213,7 @@ public final class PairResponse {
     boolean joins = hasMember || rule.of(a, b, e, approach, pull) == ImpactRule.JOIN;
     boolean isSlow = approach < rule.slow(Math.min(a.radius, b.radius));
     if (un < 0 && !hasMember && !(joins && isSlow)) {
-      change(a, mass(a), b, mass(b), halt, log);
+      change(a, mass(a), b, mass(b), e, halt, log);
       sliding.goOn(a, nx, ny);
       sliding.goOn(b, nx, ny);
     }
@@ -253,14 +253,22 @@ public final class PairResponse {
   }
 
   private void change(
-      MovingCircle a, double massA, MovingCircle b, double massB, boolean halt, ImpactRows log) {
+      MovingCircle a,
+      double massA,
+      MovingCircle b,
+      double massB,
+      double e,
+      boolean halt,
+      ImpactRows log) {
     if (halt && massA + massB < INFINITE) {
+      log.setImpulse(-massA * ScaledVectors.dot(a.vx, a.vy, nx, ny));
       stop(a, nx, ny);
       stop(b, nx, ny);
     } else {
       impulse.scale(fast);
-      push(a, -1, massB, massA, nx, ny);
-      push(b, 1, massA, massB, nx, ny);
+      double ofA = push(a, -1, massB, massA, nx, ny);
+      double ofB = push(b, 1, massA, massB, nx, ny);
+      log.setImpulse(-(1 + e) * Math.min(ofA, ofB) * un);
     }
     boolean aStops = ImpactRule.stopsBeyondRange(a);
     boolean bStops = ImpactRule.stopsBeyondRange(b);
@@ -337,10 +345,12 @@ public final class PairResponse {
    * Gives a circle its share of the impulse: the other's mass over the sum of both. The share is
    * kept as head and tail. As one double it would be rounded alike at each impact of two masses,
    * and the energy would drift. Obstacles that a jammed circle ignored act on it again.
+   *
+   * @return the share of its own mass: of finite masses the reduced mass of both
    */
-  private void push(MovingCircle m, int sign, double other, double own, double nx, double ny) {
+  private double push(MovingCircle m, int sign, double other, double own, double nx, double ny) {
     if (own == INFINITE) {
-      return;
+      return INFINITE;
     }
     m.ignoreCirclesOnly();
     double share = 0.5;
@@ -354,5 +364,6 @@ public final class PairResponse {
     }
     m.vx = impulse.change(m.vx, sign * share, sign * tail, nx);
     m.vy = impulse.change(m.vy, sign * share, sign * tail, ny);
+    return share * own;
   }
 }

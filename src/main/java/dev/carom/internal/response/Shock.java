@@ -113,6 +113,11 @@ public final class Shock {
       joinAll(hit.length == 1);
     }
     for (int c = 0; c < contacts.size(); c++) {
+      if (isHit(contacts.get(c), hit)) {
+        log.addImpulse(impulse(contacts.get(c)));
+      }
+    }
+    for (int c = 0; c < contacts.size(); c++) {
       if (acted[c] && !isHit(contacts.get(c), hit)) {
         report(contacts.get(c), log);
       }
@@ -309,11 +314,16 @@ public final class Shock {
   private boolean solve() {
     System.arraycopy(before, 0, after, 0, before.length);
     if (isSolved()) {
+      clearImpulses();
       return true;
     }
     int[] free = IntStream.range(0, bodies.size()).filter(k -> weight(k) > 0).toArray();
-    if (free.length <= 1) {
-      return free.length == 0 || solveAlone(free[0]);
+    if (free.length == 0) {
+      clearImpulses();
+      return true;
+    }
+    if (free.length == 1) {
+      return solveAlone(free[0]);
     }
     sweep();
     return isSolved();
@@ -353,8 +363,22 @@ public final class Shock {
       if (weightOf(k) > 0) {
         pairs.impulse[k] = sweeps.impulse(s++);
         acted[c] |= pairs.impulse[k] * weightOf(k) > ContactLaw.ROUNDED;
+      } else {
+        pairs.impulse[k] = 0; // of a crushed circle
       }
     }
+  }
+
+  private void clearImpulses() {
+    for (int c = 0; c < contacts.size(); c++) {
+      pairs.impulse[contacts.get(c)] = 0;
+    }
+  }
+
+  /** The impulse of a contact: a circle alone among obstacles was solved as of mass 1. */
+  private double impulse(int k) {
+    double unit = bodies.size() > 1 || registry == null ? 1 : registry.mass(bodies.get(0).id);
+    return Math.scalb(pairs.impulse[k] * unit, exponent);
   }
 
   /** One circle among things that it does not move: the velocity nearest to its own. */
@@ -374,7 +398,20 @@ public final class Shock {
     boolean is = planes.nearest(before[2 * i], before[2 * i + 1], ContactLaw.ROUNDED);
     after[2 * i] = planes.x;
     after[2 * i + 1] = planes.y;
+    if (is) {
+      creditAlone(i);
+    }
     return is;
+  }
+
+  private void creditAlone(int i) {
+    int plane = 0;
+    for (int c = 0; c < contacts.size(); c++) {
+      int k = contacts.get(c);
+      boolean acts = weightOf(k) > 0;
+      pairs.impulse[k] =
+          acts ? planes.multiplier(plane++, before[2 * i], before[2 * i + 1]) / weight(i) : 0;
+    }
   }
 
   /** Stops the circle that something that moves presses most, and lets all such pass over it. */
@@ -430,6 +467,7 @@ public final class Shock {
   /** Gives all the velocity of their common momentum, or stops them if one is held. */
   private void joinAll(boolean hitsObstacle) {
     boolean held = hitsObstacle;
+    clearImpulses();
     for (int c = 0; c < contacts.size(); c++) {
       int k = contacts.get(c);
       held |= weightOf(k) > 0 && (weight(pairs.owner[k]) == 0 || weight(pairs.other[k]) == 0);
@@ -480,6 +518,7 @@ public final class Shock {
     double speed = Math.scalb(pairs.opening(before, k), exponent);
     double d = m.radius + (part < 0 ? 0 : pairs.gap[k]);
     log.addJammed(m, code, feature, d, nx, ny, speed);
+    log.addImpulse(impulse(k));
   }
 
   private void change(Set<MovingCircle> changed) {

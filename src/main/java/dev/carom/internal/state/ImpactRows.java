@@ -22,10 +22,11 @@ public final class ImpactRows {
   public static final int SETTLED = 6;
 
   /**
-   * Doubles of one row: time, contact x and y, normal n of any length, and v.n before the impact.
-   * The square root that makes n a unit vector is taken only when the normal is read.
+   * Doubles of one row: time, contact x and y, normal n of any length, v.n before the impact, and
+   * p.n for the impulse p. The square root that makes n a unit vector is taken only when the normal
+   * is read.
    */
-  private static final int ROW = 6;
+  private static final int ROW = 7;
 
   // Their places in the row.
   private static final int TIME = 0;
@@ -34,6 +35,7 @@ public final class ImpactRows {
   private static final int NX = 3;
   private static final int NY = 4;
   private static final int VN = 5;
+  private static final int PN = 6;
 
   /** Ints of one row: circle, obstacle, and three packed ordinals, see {@link #WHAT}. */
   private static final int INTS = 3;
@@ -123,6 +125,12 @@ public final class ImpactRows {
     return Math.max(0, -numbers[k + VN] / length(k));
   }
 
+  /** The impulse that the circle received along the normal. */
+  public double impulse(int row) {
+    int k = at(row) * ROW;
+    return numbers[k + PN] / length(k);
+  }
+
   private double length(int k) {
     double nx = numbers[k + NX];
     double ny = numbers[k + NY];
@@ -163,15 +171,27 @@ public final class ImpactRows {
     add(time, circle, KindNumber.CIRCLE, other, Part.CIRCLE);
   }
 
-  /** Completes the row added last, with a normal of any length and v.n. */
+  /** Completes the row added last, with a normal of any length, v.n and no impulse. */
   public void set(double x, double y, double nx, double ny, double vn) {
     int k = (size - 1) * ROW;
     // The first and the last column first: then compilers need not check the range of the rest.
     numbers[k + CONTACT_X] = Coordinates.within(x);
+    numbers[k + PN] = 0;
     numbers[k + VN] = vn;
     numbers[k + CONTACT_Y] = Coordinates.within(y);
     numbers[k + NX] = nx;
     numbers[k + NY] = ny;
+  }
+
+  /** Sets the impulse p of the row added last, by p.n for the normal n of the row. */
+  public void setImpulse(double pn) {
+    numbers[(size - 1) * ROW + PN] = pn;
+  }
+
+  /** Adds an impulse along the normal to that of the row added last. */
+  public void addImpulse(double p) {
+    int k = (size - 1) * ROW;
+    numbers[k + PN] += p * length(k);
   }
 
   /** Sets the outcome of the row added last, which is BOUNCED by default. */

@@ -29,6 +29,7 @@ class ObstacleResponseTest {
   private final ObstacleResponse response =
       new ObstacleResponse(
           ObstacleTable.of(Internals.data(Scene.builder().line(0, 0, 10, 10).build())),
+          null,
           new Gravity(0, 0),
           (m, reach, now, into) -> {});
   private final ImpactRows rows = new ImpactRows(1);

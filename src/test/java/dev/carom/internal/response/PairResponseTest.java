@@ -331,7 +331,8 @@ class PairResponseTest {
     SceneData data = Internals.data(scene);
     ObstacleTable obstacles = ObstacleTable.of(data);
     Gravity none = new Gravity(0, 0);
-    ObstacleResponse response = new ObstacleResponse(obstacles, none, (m, reach, now, into) -> {});
+    ObstacleResponse response =
+        new ObstacleResponse(obstacles, null, none, (m, reach, now, into) -> {});
     return new PairResponse(new CircleRegistry(data, 1), response);
   }
 }
