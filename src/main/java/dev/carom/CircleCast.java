@@ -33,11 +33,10 @@ final class CircleCast {
   private static Optional<Impact> line(
       Circle c, Vec2 v, Vec2 g, Line l, Vec2 u, double maxTime) {
     Fall fall = fall(c, v, g).line(l.ax(), l.ay(), l.bx(), l.by(), u.x(), u.y());
-    return first(fall, Kind.LINE, l, u, maxTime);
+    return first(fall, Kind.LINE, maxTime);
   }
 
-  private static Optional<Impact> first(
-      Fall fall, Kind kind, Obstacle obstacle, Vec2 u, double maxTime) {
+  private static Optional<Impact> first(Fall fall, Kind kind, double maxTime) {
     boolean isStraight = fall.isStraight();
     int straight = isStraight ? FallSweep.straightContact(fall) : 0;
     double t =
@@ -49,7 +48,7 @@ final class CircleCast {
     }
     int contact = isStraight ? straight : FallSweep.contact(fall, t);
     Hit hit = new Hit().of(fall, contact, t);
-    return Optional.of(impact(t, kind, Impact.NO_ID, PublicRecords.moved(obstacle, u, t), contact, hit));
+    return Optional.of(impact(t, kind, Impact.NO_ID, contact, hit, false));
   }
 
   static Optional<Impact> bounds(Circle circle, Vec2 v, Bounds bounds, double maxTime) {
@@ -68,7 +67,7 @@ final class CircleCast {
     double wall = vertical ? wallX : wallY;
     double t = vertical ? tx : ty;
     Hit hit = new Hit().ofWall(fall(circle, v, Vec2.ZERO), id, wall, t);
-    return Optional.of(impact(t, Kind.WALL, id, bounds, 0, hit));
+    return Optional.of(impact(t, Kind.WALL, id, 0, hit, false));
   }
 
   /**
@@ -80,11 +79,10 @@ final class CircleCast {
     return ty.compare(tx) < 0;
   }
 
-  /** Disk 1 against disk 2, which is reported as the given obstacle. */
+  /** Disk 1 against disk 2, which is reported as one of the given kind. */
   static Optional<Impact> disk(
-      Circle c1, Vec2 v1, Circle c2, Vec2 v2, Kind kind, Obstacle obstacle,
-      double maxTime) {
-    return accelerated(c1, v1, Vec2.ZERO, c2, v2, kind, obstacle, maxTime);
+      Circle c1, Vec2 v1, Circle c2, Vec2 v2, Kind kind, double maxTime) {
+    return accelerated(c1, v1, Vec2.ZERO, c2, v2, kind, maxTime);
   }
 
   /** With a constant acceleration g, against an obstacle of any kind. */
@@ -96,8 +94,7 @@ final class CircleCast {
     if (obstacle instanceof Bounds bounds) {
       return acceleratedToBounds(c, v, g, bounds, maxTime);
     }
-    return accelerated(
-        c, v, g, (Circle) obstacle, Vec2.ZERO, Kind.PEG, obstacle, maxTime);
+    return accelerated(c, v, g, (Circle) obstacle, Vec2.ZERO, Kind.PEG, maxTime);
   }
 
   private static Optional<Impact> acceleratedToBounds(
@@ -115,7 +112,7 @@ final class CircleCast {
       return Optional.empty();
     }
     Hit hit = new Hit().ofWall(fall(c, v, g), first, wall(bounds, first), time);
-    return Optional.of(impact(time, Kind.WALL, first, bounds, 0, hit));
+    return Optional.of(impact(time, Kind.WALL, first, 0, hit, false));
   }
 
   private static double wallTime(
@@ -157,33 +154,37 @@ final class CircleCast {
     };
   }
 
-  /** Disk 1 with a constant acceleration g against disk 2, which is reported as the obstacle. */
+  /** Disk 1 with a constant acceleration g against disk 2. */
   static Optional<Impact> accelerated(
-      Circle c1, Vec2 v1, Vec2 g, Circle c2, Vec2 v2, Kind kind, Obstacle obstacle,
-      double maxTime) {
+      Circle c1, Vec2 v1, Vec2 g, Circle c2, Vec2 v2, Kind kind, double maxTime) {
     Fall fall = fall(c1, v1, g).disk(c2.x(), c2.y(), c2.radius(), v2.x(), v2.y());
-    return first(fall, kind, obstacle, v2, maxTime);
+    return first(fall, kind, maxTime);
   }
 
   private static Fall fall(Circle c, Vec2 v, Vec2 g) {
     return Fall.ofThread().flight(c.x(), c.y(), c.radius(), v.x(), v.y(), g.x(), g.y());
   }
 
-  /** The impact that a cast found first. */
-  static Impact impact(MovingCircle first, Hit hit, Kind kind, int id, Obstacle obstacle) {
-    return impact(first.cleared, kind, id, obstacle, first.contact, hit);
+  /** The impact that a cast found first, with a thing that halts circles, or not. */
+  static Impact impact(MovingCircle first, Hit hit, Kind kind, int id, boolean halts) {
+    return impact(first.cleared, kind, id, first.contact, hit, halts);
   }
 
   private static Impact impact(
-      double t, Kind kind, int id, Obstacle obstacle, int contact, Hit hit) {
+      double t, Kind kind, int id, int contact, Hit hit, boolean halts) {
     return new Impact(
         t,
+        Impact.NO_ID,
         kind,
         id,
-        obstacle,
+        0,
         kind == Kind.WALL ? Feature.SIDE : Feature.of(Contact.part(contact)),
-        new Vec2(hit.x(), hit.y()),
-        new Vec2(hit.nx(), hit.ny()),
-        hit.approachSpeed());
+        hit.x(),
+        hit.y(),
+        hit.nx(),
+        hit.ny(),
+        hit.approachSpeed(),
+        0,
+        halts ? Outcome.HALTED : Outcome.BOUNCED);
   }
 }

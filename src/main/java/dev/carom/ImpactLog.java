@@ -2,11 +2,22 @@
 package dev.carom;
 
 import dev.carom.internal.state.ImpactRows;
+import java.util.Iterator;
 import java.util.function.IntUnaryOperator;
+import java.util.stream.IntStream;
 
 /**
- * An {@code ImpactLog} lists the impacts of a world's last step, one row each. Reading it allocates
- * nothing. The next step of that world overwrites it.
+ * An {@code ImpactLog} lists the impacts of a world's last step, one row each. The next step of
+ * that world overwrites it.
+ *
+ * <pre>{@code
+ * for (Impact hit : world.impacts()) {
+ *   System.out.println(hit.time() + ": " + hit.kind() + " " + hit.id());
+ * }
+ * }</pre>
+ *
+ * <p>An {@link Impact} is a copy that stays. The columns, {@code log.time(row)} and so on, hold the
+ * same numbers, and reading them allocates nothing.
  *
  * <p>Rows are numbered from 0, in the order of time. At equal times the order depends on the world.
  * Where circles ignore each other, it is by the id of the circle, and the impacts of one circle
@@ -17,10 +28,10 @@ import java.util.function.IntUnaryOperator;
  * a row with the outcome {@link Outcome#SETTLED}. To slide or to rest makes no further rows. In a
  * heap that comes down, neighbours free a circle again and again: it settles many times.
  *
- * <p>A row takes some 70 bytes. A log keeps room for the longest step so far, or up to twice that.
+ * <p>A row takes some 80 bytes. A log keeps room for the longest step so far, or up to twice that.
  * The <a href="doc-files/rules.html#unfinished">budget of work</a> bounds the rows of a step.
  */
-public final class ImpactLog {
+public final class ImpactLog implements Iterable<Impact> {
 
   private static final Outcome[] OUTCOMES = Outcome.values();
 
@@ -51,6 +62,40 @@ public final class ImpactLog {
    */
   public int size() {
     return rows.size();
+  }
+
+  /**
+   * Returns a row as a record, which stays when the next step overwrites the log.
+   *
+   * @param row a row, 0..{@link #size()} - 1
+   * @return the impact
+   * @throws IndexOutOfBoundsException if there is no such row
+   */
+  public Impact get(int row) {
+    return new Impact(
+        time(row),
+        circle(row),
+        kind(row),
+        id(row),
+        part(row),
+        feature(row),
+        x(row),
+        y(row),
+        nx(row),
+        ny(row),
+        approachSpeed(row),
+        impulse(row),
+        outcome(row));
+  }
+
+  /**
+   * Returns the rows that there are now, as records, in their order.
+   *
+   * @return an iterator, to be used before the next step; it removes nothing
+   */
+  @Override
+  public Iterator<Impact> iterator() {
+    return IntStream.range(0, size()).mapToObj(this::get).iterator();
   }
 
   /**
@@ -102,7 +147,19 @@ public final class ImpactLog {
   }
 
   /**
-   * Returns the part of the obstacle that was hit.
+   * Returns the part of the thing that was hit.
+   *
+   * @param row a row, 0..{@link #size()} - 1
+   * @return 0: things have one part each
+   * @throws IndexOutOfBoundsException if there is no such row
+   */
+  public int part(int row) {
+    rows.kind(row);
+    return 0;
+  }
+
+  /**
+   * Returns the feature of the thing that was hit.
    *
    * @param row a row, 0..{@link #size()} - 1
    * @return the feature
@@ -165,6 +222,27 @@ public final class ImpactLog {
    */
   public double approachSpeed(int row) {
     return rows.approachSpeed(row);
+  }
+
+  /**
+   * Returns the impulse that the circle received, along the normal. What it hit received the
+   * opposite one.
+   *
+   * <p>So a circle of mass m has changed its velocity by {@code impulse / m} along the normal. With
+   * the outcome {@link Outcome#HALTED} both of two circles stop along the normal: then the other
+   * one received another impulse. Circles in contact under {@linkplain SceneBuilder#gravity
+   * gravity} carry each other without rows, and the row with which a circle joins them has impulse
+   * 0.
+   *
+   * @param row a row, 0..{@link #size()} - 1
+   * @return mass times speed. 0 if the impact changed nothing, as with {@link Outcome#SENSED} and
+   *     {@link Outcome#PASSED}, or if the circle stopped because something that moves squeezes it.
+   *     Infinite if it is beyond the range of doubles, and of a circle of infinite mass that meets
+   *     an obstacle
+   * @throws IndexOutOfBoundsException if there is no such row
+   */
+  public double impulse(int row) {
+    return rows.impulse(row);
   }
 
   /**

@@ -3,7 +3,6 @@ package dev.carom;
 
 import dev.carom.internal.query.Region;
 import dev.carom.internal.state.Codes;
-import dev.carom.internal.state.MovingCircle;
 import dev.carom.internal.state.ObstacleTable;
 import dev.carom.internal.sweep.LineShape;
 import dev.carom.internal.sweep.PegShape;
@@ -13,28 +12,6 @@ import dev.carom.internal.util.Check;
 final class PublicRecords {
 
   private PublicRecords() {}
-
-  /** Tells which obstacle a code stands for, and where it is at a time. */
-  @FunctionalInterface
-  interface Obstacles {
-    Obstacle at(int code, double time);
-  }
-
-  /** A line or a circle after it has moved for a time; anything at rest is returned itself. */
-  static Obstacle moved(Obstacle thing, Vec2 u, double t) {
-    if (u.x() == 0 && u.y() == 0) {
-      return thing;
-    }
-    if (thing instanceof Line line) {
-      return new Line(moved(line.ax(), line.ay(), u, t), moved(line.bx(), line.by(), u, t));
-    }
-    Circle circle = (Circle) thing;
-    return new Circle(moved(circle.x(), circle.y(), u, t), circle.radius());
-  }
-
-  private static Vec2 moved(double x, double y, Vec2 u, double t) {
-    return Vec2.within(MovingCircle.place(x, u.x(), 0, t), MovingCircle.place(y, u.y(), 0, t));
-  }
 
   /** A line, or a peg, as it is at a time; of a wall, the bounds. */
   static Obstacle of(ObstacleTable obstacles, int code, double now) {

@@ -20,6 +20,7 @@ import dev.carom.internal.util.KindNumber;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
+import java.util.function.IntFunction;
 
 /**
  * A {@code Resolver} follows one circle among obstacles for a given time, with all its bounces. It
@@ -51,16 +52,16 @@ public final class Resolver {
   private final ObstacleIndex index;
   private final Gravity gravity;
 
-  /** The records of the obstacles, by their codes and at a time. */
-  private final PublicRecords.Obstacles records;
+  /** The records of the obstacles, by their codes. */
+  private final IntFunction<Obstacle> records;
 
   /**
    * Makes a resolver among the obstacles of a table.
    *
    * @param gravity the acceleration of circles whose path is traced
-   * @param records the obstacle that a code stands for, at a time
+   * @param records the obstacle that a code stands for
    */
-  Resolver(ObstacleTable obstacles, Gravity gravity, PublicRecords.Obstacles records) {
+  Resolver(ObstacleTable obstacles, Gravity gravity, IntFunction<Obstacle> records) {
     index = new ObstacleIndex(obstacles);
     if (gravity.acts()) {
       index.beginFalls();
@@ -95,7 +96,7 @@ public final class Resolver {
       }
     }
     ObstacleTable table = ObstacleTable.of(builder.build());
-    return new Resolver(table, new Gravity(0, 0), (code, time) -> record(table, code, lines, pegs));
+    return new Resolver(table, new Gravity(0, 0), code -> record(table, code, lines, pegs));
   }
 
   private static void add(SceneDataBuilder builder, Bounds bounds) {
@@ -160,7 +161,7 @@ public final class Resolver {
     MovingCircle body = CircleCast.body(circle, velocity, restitution);
     index.expect(1);
     TracedPath path = new Tracer(index, gravity).trace(body, duration, impacts, IMPACTS_PER_TRACE);
-    return Trajectory.of(path, records);
+    return Trajectory.of(path);
   }
 
   /**
@@ -190,9 +191,8 @@ public final class Resolver {
     }
     int code = body.next;
     Kind kind = Kind.of(Codes.kind(code));
-    Obstacle obstacle = records.at(code, body.cleared);
-    return Optional.of(
-        CircleCast.impact(body, tracer.hit(body), kind, Codes.index(code), obstacle));
+    boolean halts = index.obstacles.halts(code);
+    return Optional.of(CircleCast.impact(body, tracer.hit(body), kind, Codes.index(code), halts));
   }
 
   /**
@@ -241,7 +241,7 @@ public final class Resolver {
                 point.x(),
                 point.y(),
                 index.obstacles.met(FilterBits.DEFAULT));
-    return nearest == Index.NONE ? Optional.empty() : Optional.of(records.at(nearest, 0));
+    return nearest == Index.NONE ? Optional.empty() : Optional.of(records.apply(nearest));
   }
 
   /**
@@ -286,7 +286,7 @@ public final class Resolver {
     List<Obstacle> things = new ArrayList<>();
     for (int code : codes) {
       if (!Codes.isWall(code) || things.isEmpty()) {
-        things.add(records.at(code, 0));
+        things.add(records.apply(code));
       }
     }
     return List.copyOf(things);

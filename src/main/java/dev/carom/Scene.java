@@ -304,9 +304,7 @@ public final class Scene {
   public Resolver resolver() {
     ObstacleTable obstacles = ObstacleTable.of(data);
     return new Resolver(
-        obstacles,
-        new Gravity(data.gx, data.gy),
-        (code, t) -> PublicRecords.of(obstacles, code, t));
+        obstacles, new Gravity(data.gx, data.gy), code -> PublicRecords.of(obstacles, code, 0));
   }
 
   /**

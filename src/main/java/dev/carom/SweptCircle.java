@@ -408,7 +408,7 @@ public final class SweptCircle {
       return CircleCast.bounds(circle, velocity, bounds, maxTime);
     }
     Circle peg = (Circle) obstacle;
-    return CircleCast.disk(circle, velocity, peg, Vec2.ZERO, Kind.PEG, obstacle, maxTime);
+    return CircleCast.disk(circle, velocity, peg, Vec2.ZERO, Kind.PEG, maxTime);
   }
 
   /**
@@ -452,7 +452,7 @@ public final class SweptCircle {
     Check.notNull("second", second);
     Check.notNull("v2", v2);
     Check.duration("maxTime", maxTime);
-    return CircleCast.disk(first, v1, second, v2, Kind.CIRCLE, second, maxTime);
+    return CircleCast.disk(first, v1, second, v2, Kind.CIRCLE, maxTime);
   }
 
   /**
@@ -505,7 +505,7 @@ public final class SweptCircle {
     return acceleration.x() == 0 && acceleration.y() == 0
         ? cast(first, v1, second, v2, maxTime)
         : CircleCast.accelerated(
-            first, v1, acceleration, second, v2, Kind.CIRCLE, second, maxTime);
+            first, v1, acceleration, second, v2, Kind.CIRCLE, maxTime);
   }
 
   private static void check(double px, double py, double r, double vx, double vy, double maxTime) {

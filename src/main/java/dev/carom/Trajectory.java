@@ -2,8 +2,6 @@
 package dev.carom;
 
 import dev.carom.internal.query.TracedPath;
-import dev.carom.internal.state.Codes;
-import dev.carom.internal.state.ImpactRows;
 import dev.carom.internal.util.Check;
 import dev.carom.internal.util.DoubleList;
 import java.util.ArrayList;
@@ -31,12 +29,8 @@ public final class Trajectory {
     this.complete = complete;
   }
 
-  /**
-   * Returns the path that a tracer found.
-   *
-   * @param records the obstacle that a code stands for, at a time
-   */
-  static Trajectory of(TracedPath path, PublicRecords.Obstacles records) {
+  /** Returns the path that a tracer found, of a circle of no world. */
+  static Trajectory of(TracedPath path) {
     List<Flight> flights = new ArrayList<>();
     DoubleList f = path.flights();
     for (int k = 0; k < f.size(); k += TracedPath.FLIGHT) {
@@ -51,24 +45,8 @@ public final class Trajectory {
               f.get(k + 6)));
     }
     List<Impact> impacts = new ArrayList<>();
-    for (int row = 0; row < path.impacts().size(); row++) {
-      impacts.add(impact(path.impacts(), row, records));
-    }
+    new ImpactLog(path.impacts(), circle -> Impact.NO_ID).forEach(impacts::add);
     return new Trajectory(flights, impacts, path.duration(), path.complete());
-  }
-
-  private static Impact impact(ImpactRows rows, int row, PublicRecords.Obstacles records) {
-    int kind = rows.kind(row);
-    int id = rows.obstacle(row);
-    return new Impact(
-        rows.time(row),
-        Kind.of(kind),
-        id,
-        records.at(Codes.of(kind, id), rows.time(row)),
-        Feature.of(rows.feature(row)),
-        new Vec2(rows.x(row), rows.y(row)),
-        new Vec2(rows.nx(row), rows.ny(row)),
-        rows.approachSpeed(row));
   }
 
   /**

@@ -111,22 +111,12 @@ final class WorldQueries {
     int code = first.next;
     if (!Codes.isCircle(code)) {
       Kind kind = Kind.of(Codes.kind(code));
-      Obstacle thing = PublicRecords.of(obstacles, code, first.cleared);
-      return CircleCast.impact(first, tracer.hit(first), kind, Codes.index(code), thing);
+      boolean halts = obstacles.halts(code);
+      return CircleCast.impact(first, tracer.hit(first), kind, Codes.index(code), halts);
     }
     int slot = Codes.slot(code);
-    Circle circle = new Circle(circleAt(slot, now, first.cleared), circles.radius(slot));
     int id = registry.id(slot);
-    return CircleCast.impact(first, queries.hit(first, now), Kind.CIRCLE, id, circle);
-  }
-
-  /** Returns the centre of a circle some time from now, on its present flight. */
-  private Vec2 circleAt(int slot, double now, double t) {
-    double x = circles.x(slot, now);
-    double y = circles.y(slot, now);
-    return Vec2.within(
-        MovingCircle.place(x, circles.flightX(slot, now), circles.gx(slot), t),
-        MovingCircle.place(y, circles.flightY(slot, now), circles.gy(slot), t));
+    return CircleCast.impact(first, queries.hit(first, now), Kind.CIRCLE, id, registry.halts(slot));
   }
 
   Trajectory trace(
@@ -144,7 +134,7 @@ final class WorldQueries {
     try {
       TracedPath path =
           new Tracer(index, gravity).trace(body, duration, impacts, Resolver.IMPACTS_PER_TRACE);
-      return Trajectory.of(path, (code, t) -> PublicRecords.of(obstacles, code, t));
+      return Trajectory.of(path);
     } finally {
       obstacles.setEpoch(0);
     }

@@ -303,6 +303,7 @@ class AllocationTest {
     impacts += log.size();
     for (int row = 0; row < log.size(); row++) {
       sum += log.time(row) + log.x(row) + log.nx(row) + log.approachSpeed(row);
+      sum += log.impulse(row);
       sum += log.kind(row) == Kind.WALL ? 1 : log.feature(row) == Feature.END ? 2 : 3;
     }
     for (int i = 0; i < world.circleCount(); i++) {

@@ -38,12 +38,13 @@ class ArchitectureTest {
 
   private static final String GEOMETRY = "Vec2 Obstacle Circle Line Bounds PublicRecords";
 
-  private static final String DETECTOR = " SweptCircle SweptSphere CircleCast Impact Kind Feature";
+  private static final String DETECTOR =
+      " SweptCircle SweptSphere CircleCast Impact Outcome Kind Feature";
 
-  private static final String RESOLVER = " Filter Resolver Casts Trajectory Flight";
+  private static final String RESOLVER = " Filter Resolver Casts Trajectory ImpactLog Flight";
 
   private static final String WORLD =
-      " Scene SceneBuilder SceneFormatException Response Traits World WorldQueries ImpactLog Outcome"
+      " Scene SceneBuilder SceneFormatException Response Traits World WorldQueries"
           + " UnfinishedException Snapshot Timeline Uncertainty";
 
   private static final Class<?> REFUSAL = IllegalArgumentException.class;

@@ -180,7 +180,10 @@ class FirstImpactTest {
   }
 
   private static Obstacle first(List<Obstacle> all, Circle circle, Vec2 v) {
-    return Resolver.of(all).cast(circle, v, NEVER).map(Impact::obstacle).orElse(null);
+    return Resolver.of(all)
+        .cast(circle, v, NEVER)
+        .map(hit -> SweptCircleAnswers.thing(all, hit))
+        .orElse(null);
   }
 
   /** Turned right by a quarter. */

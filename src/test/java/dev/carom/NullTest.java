@@ -28,6 +28,8 @@ class NullTest {
   private static final Scene EMPTY = Scene.builder().build();
   private static final Resolver RESOLVER = EMPTY.resolver();
   private static final World WORLD = new World(EMPTY);
+  private static final Impact HIT =
+      SweptCircle.cast(CIRCLE, new Vec2(5, 5), new Line(9, 9, 20, 20), 9).orElseThrow();
   private static final World BOX = new World(Scene.builder().bounds(0, 0, 1, 1).build());
 
   static Stream<Arguments> calls() {
@@ -71,6 +73,7 @@ class NullTest {
   private static List<Arguments> worlds() {
     return List.of(
         call("scene", () -> new World(null)),
+        call("kind", () -> HIT.involves(null, 0)),
         call("kind", () -> WORLD.contains(null, 0)),
         call("kind", () -> WORLD.idLimit(null)),
         call("kind", () -> WORLD.ids(null)),

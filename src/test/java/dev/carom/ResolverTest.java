@@ -36,7 +36,7 @@ class ResolverTest {
     Circle end = new Circle(0, 0, 0);
     Resolver resolver = Resolver.of(List.of(new Circle(0, 90, 1), end));
     Impact impact = resolver.cast(new Circle(0, 10, 1), DOWN, 100).orElseThrow();
-    assertThat(impact.obstacle()).isEqualTo(end);
+    assertThat(impact.kind()).isEqualTo(Kind.PEG);
     assertThat(impact.id()).isEqualTo(1);
   }
 

@@ -16,7 +16,8 @@ class ResolverWayTest {
   private static final Circle PEG = new Circle(80, 80, 10);
   private static final Circle END = new Circle(60, 20, 0);
   private static final Circle CIRCLE = new Circle(50, 50, 5);
-  private static final Resolver RESOLVER = Resolver.of(List.of(LINE, END, ROOM, PEG));
+  private static final List<Obstacle> ALL = List.of(LINE, END, ROOM, PEG);
+  private static final Resolver RESOLVER = Resolver.of(ALL);
 
   /** At 95, 5, 95 and so on, after 15 and each 30 more. */
   @Test
@@ -50,12 +51,16 @@ class ResolverWayTest {
     assertThat(narrow.trace(new Circle(1, 4, 1), new Vec2(1, 0), 0.01).complete()).isTrue();
   }
 
+  private static Obstacle hit(Vec2 v, double maxTime) {
+    return SweptCircleAnswers.thing(ALL, RESOLVER.cast(CIRCLE, v, maxTime).orElseThrow());
+  }
+
   @Test
   void theFirstImpactWithAnyKind() {
-    assertThat(RESOLVER.cast(CIRCLE, new Vec2(-5, 0), 9).map(Impact::obstacle)).contains(LINE);
-    assertThat(RESOLVER.cast(CIRCLE, new Vec2(1, 1), 99).map(Impact::obstacle)).contains(PEG);
-    assertThat(RESOLVER.cast(CIRCLE, new Vec2(1, -3), 99).map(Impact::obstacle)).contains(END);
-    assertThat(RESOLVER.cast(CIRCLE, new Vec2(0, 1), 99).map(Impact::obstacle)).contains(ROOM);
+    assertThat(hit(new Vec2(-5, 0), 9)).isEqualTo(LINE);
+    assertThat(hit(new Vec2(1, 1), 99)).isEqualTo(PEG);
+    assertThat(hit(new Vec2(1, -3), 99)).isEqualTo(END);
+    assertThat(hit(new Vec2(0, 1), 99)).isEqualTo(ROOM);
     assertThat(RESOLVER.cast(CIRCLE, new Vec2(0, 1), 44)).isEmpty();
     assertThat(RESOLVER.cast(CIRCLE, new Vec2(1, -3), 99).orElseThrow().id()).isZero();
     assertThat(RESOLVER.cast(CIRCLE, new Vec2(1, 1), 99).orElseThrow().id()).isEqualTo(1);

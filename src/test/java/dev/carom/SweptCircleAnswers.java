@@ -4,6 +4,8 @@ package dev.carom;
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.within;
 
+import java.util.List;
+
 /** Checks of the answers of the detector. */
 final class SweptCircleAnswers {
 
@@ -15,7 +17,7 @@ final class SweptCircleAnswers {
   static Impact hit(Circle c, Vec2 v, Line line, double T) {
     Impact impact = SweptCircle.cast(c, v, line, T).orElseThrow();
     assertThat(time(c, v, line, T)).isEqualTo(impact.time());
-    assertThat(impact.obstacle()).isEqualTo(line);
+    assertThat(impact.kind()).isEqualTo(Kind.LINE);
     return impact;
   }
 
@@ -42,12 +44,32 @@ final class SweptCircleAnswers {
     assertThat(actual.time()).isEqualTo(expected.time());
     assertThat(actual.kind()).isEqualTo(expected.kind());
     assertThat(actual.id()).isEqualTo(expected.id());
-    assertThat(actual.obstacle()).isEqualTo(expected.obstacle());
+    assertThat(actual.circle()).isEqualTo(expected.circle());
+    assertThat(actual.part()).isEqualTo(expected.part());
+    assertThat(actual.impulse()).isEqualTo(expected.impulse());
+    assertThat(actual.outcome()).isEqualTo(expected.outcome());
     assertThat(actual.feature()).isEqualTo(expected.feature());
     assertVector(actual.normal(), expected.normal(), 1e-15);
     assertVector(actual.point(), expected.point(), 1e-14);
     assertThat(actual.approachSpeed())
         .isCloseTo(expected.approachSpeed(), within(1e-15 * (1 + expected.approachSpeed())));
+  }
+
+  /** The one of the obstacles of a resolver that an impact is with. */
+  static Obstacle thing(List<? extends Obstacle> all, Impact hit) {
+    int id = hit.kind() == Kind.WALL ? 0 : hit.id();
+    return all.stream().filter(o -> kind(o) == hit.kind()).skip(id).findFirst().orElseThrow();
+  }
+
+  private static Kind kind(Obstacle o) {
+    return o instanceof Bounds ? Kind.WALL : o instanceof Line ? Kind.LINE : Kind.PEG;
+  }
+
+  /** The answer of a cast. */
+  static Impact impact(
+      double t, Kind kind, int id, Feature feature, Vec2 at, Vec2 n, double speed) {
+    return new Impact(
+        t, -1, kind, id, 0, feature, at.x(), at.y(), n.x(), n.y(), speed, 0, Outcome.BOUNCED);
   }
 
   static void assertVector(Vec2 actual, Vec2 expected, double error) {

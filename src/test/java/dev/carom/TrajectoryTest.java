@@ -26,14 +26,7 @@ class TrajectoryTest {
 
   private static Impact post(double time, double x, double normal) {
     return new Impact(
-        time,
-        Kind.PEG,
-        0,
-        new Circle(x, 1, 0),
-        Feature.CIRCLE,
-        new Vec2(x, 1),
-        new Vec2(normal, 0),
-        5);
+        time, -1, Kind.PEG, 0, 0, Feature.CIRCLE, x, 1, normal, 0, 5, 10, Outcome.BOUNCED);
   }
 
   @Test

@@ -37,7 +37,9 @@ class WorldQueriesTest {
     assertThat(impact.time()).isEqualTo(1.2);
     for (List<Obstacle> both :
         List.of(List.<Obstacle>of(later, within), List.<Obstacle>of(within, later))) {
-      assertThat(Resolver.of(both).cast(circle, v, 1.2)).map(Impact::obstacle).contains(within);
+      assertThat(Resolver.of(both).cast(circle, v, 1.2))
+          .map(hit -> SweptCircleAnswers.thing(both, hit))
+          .contains(within);
     }
     World world =
         new World(
@@ -156,15 +158,8 @@ class WorldQueriesTest {
 
   /** The same impact with a thing under its id. */
   static Impact named(Impact hit, Kind kind, int id) {
-    return new Impact(
-        hit.time(),
-        kind,
-        id,
-        hit.obstacle(),
-        hit.feature(),
-        hit.point(),
-        hit.normal(),
-        hit.approachSpeed());
+    return SweptCircleAnswers.impact(
+        hit.time(), kind, id, hit.feature(), hit.point(), hit.normal(), hit.approachSpeed());
   }
 
   @Test
@@ -236,8 +231,10 @@ class WorldQueriesTest {
     assertThat(none.impacts()).isEmpty();
     assertThat(none.duration()).isZero();
     Trajectory one = world.trace(new Circle(50, 50, 5), new Vec2(3, 0), 1, 1000, 1);
+    Impact hit = one.impacts().get(0);
     assertThat(world.cast(new Circle(50, 50, 5), new Vec2(3, 0), 1000))
-        .hasValue(one.impacts().get(0));
+        .hasValue(named(hit, Kind.WALL, hit.id()));
+    assertThat(hit.impulse()).as("of mass 1").isEqualTo(6);
     assertThat(one.duration()).isEqualTo(15);
     assertThat(one.velocityAt(15)).isEqualTo(new Vec2(-3, 0));
     assertThat(world.trace(new Circle(50, 50, 5), new Vec2(3, 0), 1, 15, 9)).isEqualTo(one);

@@ -139,10 +139,11 @@ public final class Billiards implements Example {
     g.draw(new Line2D.Double(world.x(CUE), world.y(CUE), x, y));
     g.setStroke(Style.line(0.005));
     g.draw(new Ellipse2D.Double(x - RADIUS, y - RADIUS, 2 * RADIUS, 2 * RADIUS));
-    if (impact.obstacle() instanceof Circle ball && impact.kind() == Kind.CIRCLE) {
-      double toX = ball.x() - 0.25 * impact.normal().x();
-      double toY = ball.y() - 0.25 * impact.normal().y();
-      g.draw(new Line2D.Double(ball.x(), ball.y(), toX, toY));
+    if (impact.kind() == Kind.CIRCLE) {
+      double ballX = impact.x() - RADIUS * impact.nx();
+      double ballY = impact.y() - RADIUS * impact.ny();
+      g.draw(
+          new Line2D.Double(ballX, ballY, ballX - 0.25 * impact.nx(), ballY - 0.25 * impact.ny()));
     }
   }
 }

@@ -132,7 +132,6 @@ class ContactTest {
     assertThat(actual.time()).isEqualTo(expected.time());
     assertThat(actual.kind()).isEqualTo(expected.kind());
     assertThat(actual.feature()).isEqualTo(expected.feature());
-    assertThat(actual.obstacle()).isEqualTo(expected.obstacle());
     near(actual.point(), expected.point(), scale);
     near(actual.normal(), expected.normal(), 1);
     assertThat(actual.approachSpeed() / scale)
