@@ -76,7 +76,7 @@ class ImpulseTest {
     double[] sum = p.clone();
     int rows = 0;
     for (int frame = 0; frame < 20; frame++) {
-      Run.step(world, 0.5);
+      world.step(0.5);
       add(world.impacts(), sum);
       rows += world.impacts().size();
     }
@@ -100,7 +100,7 @@ class ImpulseTest {
     double ofPairs = 0;
     double duration = 20;
     for (int frame = 0; frame < 40; frame++) {
-      Run.step(world, duration / 40);
+      world.step(duration / 40);
       for (Impact hit : world.impacts()) {
         double r = world.radius(hit.circle());
         if (hit.kind() == Kind.CIRCLE) {
@@ -145,7 +145,7 @@ class ImpulseTest {
                 .build());
     double up = 0;
     double onSlope = 0;
-    Run.step(world, 3);
+    world.step(3);
     for (Impact hit : world.impacts()) {
       if (hit.circle() == 0) {
         up += hit.impulse() * hit.ny();
@@ -171,7 +171,7 @@ class ImpulseTest {
                 .line(2.5, -1, 2.5, 1)
                 .response(Response.SENSOR)
                 .build());
-    Run.step(world, 10);
+    world.step(10);
     assertThat(world.impacts())
         .extracting(Impact::outcome)
         .containsExactly(Outcome.SENSED, Outcome.PASSED);
@@ -190,13 +190,13 @@ class ImpulseTest {
                 .circle(5, 0, 1, -3, 0)
                 .mass(Double.POSITIVE_INFINITY)
                 .build());
-    Run.step(world, 2);
+    world.step(2);
     Impact hit = world.impacts().get(0);
     assertThat(hit.impulse()).isEqualTo(4 * 2 * 3);
     assertThat(hit.involves(Kind.CIRCLE, 0)).isTrue();
     assertThat(hit.involves(Kind.CIRCLE, 1)).isTrue();
     assertThat(hit.involves(Kind.LINE, 1)).isFalse();
-    Run.step(world, 100);
+    world.step(100);
     Impact atWall = world.impacts().get(world.impacts().size() - 1);
     assertThat(atWall.kind()).isEqualTo(Kind.WALL);
   }
@@ -214,7 +214,7 @@ class ImpulseTest {
                 .restitution(0)
                 .build());
     double[] p = {7 * 0.3, -7};
-    Run.step(world, 100);
+    world.step(100);
     for (Impact hit : world.impacts()) {
       push(p, 0, hit.impulse(), hit);
     }
@@ -235,7 +235,7 @@ class ImpulseTest {
                 .circle(5, 0, 1, -3, 0)
                 .mass(5)
                 .build());
-    Run.step(world, 5);
+    world.step(5);
     Impact hit = world.impacts().get(0);
     assertThat(hit.outcome()).isEqualTo(Outcome.HALTED);
     assertThat(hit.impulse()).isEqualTo(2);
