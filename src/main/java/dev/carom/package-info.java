@@ -18,7 +18,8 @@
  * matter: billiards, pinball, breakout, gases, particles, replays, netcode. Take an engine of rigid
  * bodies for rotation, friction, joints, stacks of boxes, or bodies that are no circles.
  *
- * <p>Guides: <a href="doc-files/recipes.html">Recipes</a> for common tasks, and <a
+ * <p>Guides: <a href="doc-files/recipes.html">Recipes</a> for common tasks, <a
+ * href="doc-files/sweeps.html">Sweeps</a> over many scenes on many cores or machines, and <a
  * href="doc-files/rules.html">Rules and limits</a> for what can go wrong.
  *
  * <h2 id="layers">Four layers</h2>

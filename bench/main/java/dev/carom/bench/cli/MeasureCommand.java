@@ -13,7 +13,7 @@ import picocli.CommandLine.Spec;
 @Command(
     name = MeasureCommand.NAME,
     description = {
-      "Measures a series of scenes: sweep, scale, features, gas or threads.",
+      "Measures a series of scenes: sweep, scale, features, gas, threads or worlds.",
       "The name of a series alone will do: 'gas' is 'measure gas'."
     },
     footer = {"", "Example: carom-bench measure gas --circles 10000 --steady"},
@@ -24,14 +24,16 @@ import picocli.CommandLine.Spec;
       ScaleCommand.class,
       FeaturesCommand.class,
       GasCommand.class,
-      ThreadsCommand.class
+      ThreadsCommand.class,
+      WorldsCommand.class
     })
 final class MeasureCommand implements Callable<Integer> {
 
   static final String NAME = "measure";
 
   /** The series: their names are commands, too. */
-  static final Set<String> SERIES = Set.of("sweep", "scale", "features", "gas", "threads");
+  static final Set<String> SERIES =
+      Set.of("sweep", "scale", "features", "gas", "threads", "worlds");
 
   @Spec private CommandSpec spec;
 

@@ -9,7 +9,7 @@ import java.util.regex.Pattern;
 final class PartChoice {
 
   private static final Pattern TIMED =
-      Pattern.compile("(?:time|query-time|sweep|scale|features)/.*");
+      Pattern.compile("(?:time|query-time|sweep|scale|features|worlds)/.*");
 
   private PartChoice() {}
 

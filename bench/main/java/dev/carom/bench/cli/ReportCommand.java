@@ -148,6 +148,7 @@ final class ReportCommand implements Callable<Integer> {
     for (int fork = 0; fork < Parts.FORKS; fork++) {
       parts.add(SeriesParts.features(fork, quick));
     }
+    parts.add(SeriesParts.worlds(quick));
     parts.addAll(StabilityPart.all(false));
     return untimed ? PartChoice.untimed(parts) : parts;
   }

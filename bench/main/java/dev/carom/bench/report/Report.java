@@ -106,6 +106,7 @@ public final class Report {
     figures.addAll(new FrameTimeFigures(results).figures());
     figures.addAll(new SweepFigures(results).figures());
     figures.addAll(new ScaleFigures(results, 1e6 * ScalePlan.LIMIT_MILLIS).figures());
+    figures.addAll(new WorldsFigures(results).figures());
     return figures;
   }
 }

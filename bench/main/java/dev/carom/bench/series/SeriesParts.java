@@ -69,6 +69,16 @@ public final class SeriesParts {
     return part("features", quick ? 7 : 12, fork, options);
   }
 
+  /**
+   * Many small worlds on one thread and on each core.
+   *
+   * @param quick whether few worlds will do
+   */
+  public static Part worlds(boolean quick) {
+    List<String> options = List.of("measure", "worlds", "--worlds", quick ? "2000" : "10000");
+    return new CommandPart("worlds/all", quick ? 5 : 15, 0, options);
+  }
+
   private static Part part(String command, double seconds, int fork, List<String> options) {
     List<String> arguments = new ArrayList<>();
     arguments.addAll(List.of("measure", command, "--turns", Integer.toString(fork)));

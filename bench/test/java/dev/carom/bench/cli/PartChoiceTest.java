@@ -37,6 +37,7 @@ class PartChoiceTest {
           SeriesParts.sweep(0, true),
           SeriesParts.scale(0, true),
           SeriesParts.features(0, true),
+          SeriesParts.worlds(true),
           StabilityPart.all(true).get(0));
 
   @Test
