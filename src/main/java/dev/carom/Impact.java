@@ -4,8 +4,9 @@ package dev.carom;
 import dev.carom.internal.util.Check;
 
 /**
- * An {@code Impact} is the contact of a moving circle with an obstacle or with another circle: a
- * row of an {@link ImpactLog}, or the answer of a cast or a trace. Its constructor checks nothing.
+ * An {@code Impact} is the contact of a moving circle with an obstacle or with another circle. It
+ * is a row of an {@link ImpactLog}, or the answer of a cast or a trace. Its constructor checks
+ * nothing.
  *
  * @param time the time of impact: in a log on the world's clock, else counted from the start of the
  *     motion

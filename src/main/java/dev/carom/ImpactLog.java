@@ -11,8 +11,11 @@ import java.util.stream.IntStream;
  * that world overwrites it.
  *
  * <pre>{@code
+ * Scene scene = Scene.builder().bounds(0, 0, 100, 100).circle(50, 50, 5, 30, 0).build();
+ * World world = new World(scene);
+ * world.advanceTo(2);
  * for (Impact hit : world.impacts()) {
- *   System.out.println(hit.time() + ": " + hit.kind() + " " + hit.id());
+ *   System.out.println(hit.time() + ": " + hit.kind() + " " + hit.id()); // 1.5: WALL 1
  * }
  * }</pre>
  *

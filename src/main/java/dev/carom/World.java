@@ -830,6 +830,7 @@ public final class World {
    * Sets the traits of a circle or an obstacle, from now on. Only what differs has an effect.
    *
    * <pre>{@code
+   * World world = new World(Scene.builder().circle(0, 0, 1, 3, 0).build());
    * world.setTraits(Kind.CIRCLE, 0, world.traits(Kind.CIRCLE, 0).withMass(3));
    * }</pre>
    *
