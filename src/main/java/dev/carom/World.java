@@ -803,8 +803,7 @@ public final class World {
    * squeezes is {@linkplain Outcome#JAMMED jammed}: see <a
    * href="doc-files/rules.html#moving">moving obstacles</a>.
    *
-   * <p>For a paddle that a player moves, set its velocity before each step to the way of this step
-   * over its duration.
+   * <p>To send it to a place, such as a paddle that a player moves, use {@link #moveTo moveTo}.
    *
    * @param kind its kind: {@link Kind#LINE}, {@link Kind#PEG} or {@link Kind#CIRCLE}
    * @param id its id
@@ -824,6 +823,37 @@ public final class World {
     } else {
       edit().setObstacleVelocity(code, vx, vy, now);
     }
+  }
+
+  /**
+   * Lets a line or a peg go straight to a place, arrive there at a given time, and then rest.
+   *
+   * <p>It pushes the circles in its way, as a velocity does: see {@link #setVelocity(Kind, int,
+   * double, double) setVelocity}. At the time of arrival its place is the given one, to the bit,
+   * and it stops there by itself, also within a step. {@code setVelocity}, a move to another place,
+   * or another {@code moveTo} replaces this motion. A {@code moveTo} that asks for the motion that
+   * the obstacle already has changes nothing.
+   *
+   * <p>For a paddle that a player moves, call it before each step, with the end of the step as the
+   * arrival: see <a href="doc-files/recipes.html#paddle">a paddle</a>.
+   *
+   * @param kind its kind: {@link Kind#LINE} or {@link Kind#PEG}
+   * @param id its id
+   * @param x the x coordinate of its place then, finite: of a line the start, of a peg the centre
+   * @param y the y coordinate of its place then, finite
+   * @param arrival the time of arrival, finite and after {@link #now}
+   * @throws IndexOutOfBoundsException if there is no such thing
+   * @throws IllegalArgumentException if the arrival is not a finite time after now, or so soon that
+   *     the velocity would be infinite; if a coordinate is refused, as by {@link #addLine addLine};
+   *     or if the kind is {@link Kind#WALL} or {@link Kind#CIRCLE}
+   */
+  public void moveTo(Kind kind, int id, double x, double y, double arrival) {
+    int code = code(kind, id);
+    if (kind == Kind.WALL || kind == Kind.CIRCLE) {
+      throw Check.refused(
+          "kind", kind, "LINE or PEG: walls do not move, and a circle is steered by setVelocity");
+    }
+    edit().moveTo(code, x, y, arrival, now);
   }
 
   /**

@@ -53,30 +53,30 @@ final class WorldQueries {
     MovingCircle body = CircleCast.body(circle, velocity, 1);
     body.filter = filter;
     Tracer tracer = tracer(1, now);
-    obstacles.setEpoch(now);
+    obstacles.beginQuestion(now);
     try {
       first(body, tracer, maxTime, now);
       return body.next == MovingCircle.NOTHING
           ? Optional.empty()
           : Optional.of(impact(body, tracer, now));
     } finally {
-      obstacles.setEpoch(0);
+      obstacles.endQuestion();
     }
   }
 
   void cast(Casts casts, double maxTime, double now, long filter) {
     MovingCircle body = new MovingCircle();
     Tracer tracer = tracer(casts.size(), now);
-    obstacles.setEpoch(now);
     try {
       for (int i = 0; i < casts.size(); i++) {
+        obstacles.beginQuestion(now);
         casts.load(i, body);
         body.filter = filter;
         first(body, tracer, maxTime, now);
         answer(casts, i, body, tracer, now);
       }
     } finally {
-      obstacles.setEpoch(0);
+      obstacles.endQuestion();
     }
   }
 
@@ -130,13 +130,13 @@ final class WorldQueries {
     index.expect(1);
     MovingCircle body = CircleCast.body(circle, velocity, restitution);
     body.filter = filter;
-    obstacles.setEpoch(now);
+    obstacles.beginQuestion(now);
     try {
       TracedPath path =
           new Tracer(index, gravity).trace(body, duration, impacts, Resolver.IMPACTS_PER_TRACE);
       return Trajectory.of(path);
     } finally {
-      obstacles.setEpoch(0);
+      obstacles.endQuestion();
     }
   }
 
@@ -149,8 +149,11 @@ final class WorldQueries {
   }
 
   Vec2 velocity(int code, double now) {
-    return Codes.isCircle(code)
-        ? new Vec2(circles.vx(Codes.slot(code), now), circles.vy(Codes.slot(code), now))
+    if (Codes.isCircle(code)) {
+      return new Vec2(circles.vx(Codes.slot(code), now), circles.vy(Codes.slot(code), now));
+    }
+    return obstacles.arrival(code) <= now
+        ? Vec2.ZERO
         : new Vec2(obstacles.ux(code), obstacles.uy(code));
   }
 

@@ -98,6 +98,7 @@ class AllocationTest {
     Map<String, Edits> all =
         Map.of(
             "velocities", setVelocities(),
+            "arrivals", moveTo(),
             "places", move(),
             "velocity of a circle", steerCircle(),
             "place of a circle", placeCircle());
@@ -142,6 +143,17 @@ class AllocationTest {
       for (int id = 0; id < 2; id++) {
         world.setVelocity(Kind.PEG, id, toAndFro(frame, 0.1), toAndFro(frame + 5, 0.07));
         world.setVelocity(Kind.LINE, id, toAndFro(frame, 0.1), toAndFro(frame + 5, 0.07));
+      }
+    };
+  }
+
+  /** Each edit begins at the arrival that the one before asked for. */
+  private static Edits moveTo() {
+    return (world, frame) -> {
+      for (int id = 0; id < 2; id++) {
+        double x = 200 + 400 * id + 0.1 * (frame % 20);
+        world.moveTo(Kind.PEG, id, x, 400 + 0.07 * (frame % 20), world.now() + 1);
+        world.moveTo(Kind.LINE, id, x - 20, -30, world.now() + 1);
       }
     };
   }

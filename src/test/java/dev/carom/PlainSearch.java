@@ -218,12 +218,12 @@ abstract class PlainSearch extends PlainState {
     long filter = FilterBits.of(category, mask);
     MovingCircle m = CircleCast.body(circle, v, 1);
     double first = NEVER;
-    obstacles.setEpoch(now);
+    obstacles.beginQuestion(now);
     for (int code : codes()) {
       boolean there = !obstacles.isSensor(code) && meet(filter, obstacles.filter(code));
       first = Math.min(first, there ? sweep(m, code) : NEVER);
     }
-    obstacles.setEpoch(0);
+    obstacles.endQuestion();
     for (MovingCircle other : bodies) {
       boolean there =
           collide

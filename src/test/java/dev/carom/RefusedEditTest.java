@@ -109,6 +109,22 @@ class RefusedEditTest {
         refused(
             "bounds: response is sensor: expected bounce or halt: bounds keep circles inside",
             w -> w.setTraits(WALL, 0, w.traits(WALL, 0).withResponse(Response.SENSOR))),
+        refused("line 0: x is NaN" + FINITE, w -> w.moveTo(LINE, 0, NAN, 1, 9)),
+        refused("peg 0: y is 1.0E13" + TOO_LARGE, w -> w.moveTo(PEG, 0, 1, 1e13, 9)),
+        refused(
+            "line 0: arrival is 3.0: expected a finite time after now, 3.0",
+            w -> w.moveTo(LINE, 0, 1, 1, 3)),
+        refused(
+            "peg 0: arrival is NaN: expected a finite time after now",
+            w -> w.moveTo(PEG, 0, 1, 1, NAN)),
+        refused(
+            "peg 0: arrival is Infinity: expected a finite time after now",
+            w -> w.moveTo(PEG, 0, 1, 1, INF)),
+        refused(
+            "kind is CIRCLE: expected LINE or PEG: walls do not move, and a circle is steered by"
+                + " setVelocity",
+            w -> w.moveTo(CIRCLE, 0, 1, 1, 9)),
+        refused("kind is WALL: expected LINE or PEG", w -> w.moveTo(WALL, 0, 1, 1, 9)),
         refused("kind is WALL: expected LINE, PEG or CIRCLE: walls stay", w -> w.remove(WALL, 0)));
   }
 

@@ -17,7 +17,7 @@ import java.awt.geom.Rectangle2D;
 import java.util.Locale;
 
 /**
- * Squash: before each step the paddle gets the velocity that takes it to where the player wants it.
+ * Squash: before each step the paddle is sent to where the player wants it at the end of the step.
  * So it pushes: a ball that comes with v leaves with {@code -v + 2 u}, and no swing is so fast that
  * the paddle jumps over the ball. The wall at the right takes a fifth of the speed, which a swing
  * gives back. Until somebody plays the paddle plays by itself.
@@ -76,13 +76,17 @@ public final class Paddle implements Example {
     }
   }
 
-  /** Sets the velocity that takes the paddle to a place in one step, if it is not too far. */
+  /** Sends the paddle to a place in one step, or as far towards it as the paddle can go. */
   private void swing(Vec2 to) {
     Line now = world.line(PADDLE);
     double x = Math.max(5, Math.min(NET, to.x()));
     double y = Math.max(HALF, Math.min(HEIGHT - HALF, to.y()));
-    world.setVelocity(
-        Kind.LINE, PADDLE, limited(x - now.ax()), limited(y - (now.ay() + now.by()) / 2));
+    world.moveTo(
+        Kind.LINE,
+        PADDLE,
+        now.ax() + limited(x - now.ax()),
+        now.ay() + limited(y - (now.ay() + now.by()) / 2),
+        world.now() + 1);
   }
 
   private static double limited(double v) {

@@ -120,9 +120,9 @@ public final class CollidingEngine extends Engine {
   }
 
   @Override
-  public double advanceToImpact(double end, long work) {
+  double playToImpact(double end, long work) {
     stopsAtImpact = true;
-    double time = advance(end, work);
+    double time = play(end, work);
     stopsAtImpact = false;
     return time;
   }
@@ -132,7 +132,7 @@ public final class CollidingEngine extends Engine {
   }
 
   @Override
-  public double advance(double last, long work) {
+  double play(double last, long work) {
     unfinished = false;
     end = last;
     prepare(last);
@@ -141,12 +141,12 @@ public final class CollidingEngine extends Engine {
       begin();
     }
     scheduler.beginStep();
-    spent += play(work);
+    spent += handleEvents(work);
     return reached;
   }
 
   /** Handles the events of the current step until the budget is spent; returns the work done. */
-  private long play(long budget) {
+  private long handleEvents(long budget) {
     double[] s = circles.state;
     int[] c = circles.codes;
     ExactBudget work = ExactBudget.ofThread();

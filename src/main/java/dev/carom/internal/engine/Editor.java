@@ -11,6 +11,7 @@ import dev.carom.internal.state.ObstacleTable;
 import dev.carom.internal.state.SceneData;
 import dev.carom.internal.state.SizeLimits;
 import dev.carom.internal.state.TraitValues;
+import dev.carom.internal.sweep.ObstacleShape;
 import dev.carom.internal.util.Check;
 import dev.carom.internal.util.KindNumber;
 import dev.carom.internal.util.Refusal;
@@ -265,13 +266,43 @@ public final class Editor {
   /** Lets a line or a peg move with a velocity, from now on. */
   public void setObstacleVelocity(int code, double vx, double vy, double now) {
     checkVelocity(code, vx, vy);
-    boolean isInGrids = !obstacles.moves(code);
-    engine.forget(code); // circles that it lets go search with the grids as they are
-    obstacles.setVelocity(code, vx, vy, now);
-    if (isInGrids && obstacles.moves(code)) {
-      engine.staticScene.forgetGrids();
+    engine.setVelocity(code, vx, vy, now);
+  }
+
+  /** Lets a line or a peg go straight to a place, be there at a time, and then rest. */
+  public void moveTo(int code, double x, double y, double arrival, double now) {
+    try {
+      checkPlace(x, y);
+      if (!(arrival > now && arrival <= Double.MAX_VALUE)) {
+        throw Check.refused("arrival", arrival, "a finite time after now, " + now);
+      }
+    } catch (IllegalArgumentException e) {
+      throw named(e, code);
     }
-    engine.appeared(code, now);
+    if (obstacles.goesTo(code, x, y, arrival)) {
+      return;
+    }
+    obstacles.numbersAt(code, now, numbers);
+    double wayX = x - numbers[ObstacleShape.X];
+    double wayY = y - numbers[ObstacleShape.Y];
+    double ux = wayX / (arrival - now);
+    double uy = wayY / (arrival - now);
+    if (!(Math.abs(ux) <= Double.MAX_VALUE && Math.abs(uy) <= Double.MAX_VALUE)) {
+      throw named(
+          Check.refused("arrival", arrival, "late enough after " + now + " for this way"), code);
+    }
+    ObstacleRows rows = obstacles.of(code);
+    int end = rows.shape.toEnd; // 0 of what has one place only
+    double endX = x + (numbers[end + ObstacleShape.X] - numbers[ObstacleShape.X]);
+    double endY = y + (numbers[end + ObstacleShape.Y] - numbers[ObstacleShape.Y]);
+    numbers[end + ObstacleShape.X] = endX;
+    numbers[end + ObstacleShape.Y] = endY;
+    numbers[ObstacleShape.X] = x;
+    numbers[ObstacleShape.Y] = y;
+    check(rows, code);
+    boolean rests = ux == 0 && uy == 0;
+    engine.moveTo(code, numbers, ux, uy, now, rests ? INFINITE : arrival);
+    keepPlace(rows);
   }
 
   private void check(ObstacleRows rows, int code) {

@@ -12,6 +12,7 @@ import dev.carom.internal.state.Gravity;
 import dev.carom.internal.state.ImpactRows;
 import dev.carom.internal.state.LiveCodes;
 import dev.carom.internal.state.MovingCircle;
+import dev.carom.internal.state.ObstacleTable;
 import dev.carom.internal.state.SceneData;
 import dev.carom.internal.state.TimelineRecorder;
 import dev.carom.internal.state.WorldState;
@@ -104,17 +105,57 @@ public abstract class Engine {
 
   /**
    * Advances all circles to the given time, or to an earlier one if the budget is exhausted.
+   * Obstacles that arrive on the way rest from then on. Those that arrive at the given time itself
+   * do so once the world goes on: an edit may give them another motion before.
    *
    * @param work the budget
    * @return the time reached
    */
-  public abstract double advance(double end, long work);
+  public final double advance(double end, long work) {
+    return advance(end, work, false);
+  }
 
   /**
    * Advances all circles as {@link #advance} does, but no further than to the first double that is
    * not before the next impact, or the next event of another kind.
    */
-  public abstract double advanceToImpact(double end, long work);
+  public final double advanceToImpact(double end, long work) {
+    return advance(end, work, true);
+  }
+
+  private double advance(double end, long work, boolean toImpact) {
+    long limit = spent + work;
+    while (true) {
+      double goal = Math.min(end, staticScene.obstacles.nextArrival());
+      long rest = limit - spent;
+      double time = toImpact ? playToImpact(goal, rest) : play(goal, rest);
+      boolean stops = time < goal || unfinished || (toImpact && log.size() > 0);
+      if (stops || goal == end) {
+        return time;
+      }
+      arrive(goal);
+    }
+  }
+
+  /** Lets the obstacles rest that arrive now. All events up to now are done. */
+  private void arrive(double now) {
+    ObstacleTable obstacles = staticScene.obstacles;
+    if (recorder != null) {
+      recorder.advance(now); // the flights up to now, before those that begin
+    }
+    for (int i = 0; i < obstacles.motions().count(); i++) {
+      if (obstacles.motions().until(i) == now) {
+        setVelocity(obstacles.motions().code(i), 0, 0, now);
+        spent++;
+      }
+    }
+  }
+
+  /** Advances all circles to a time before which no obstacle arrives, see {@link #advance}. */
+  abstract double play(double end, long work);
+
+  /** The same, see {@link #advanceToImpact}. */
+  abstract double playToImpact(double end, long work);
 
   /** The slot of the circle that spent most of the work of the last call, if that was too much. */
   public abstract int spender();
@@ -228,6 +269,29 @@ public abstract class Engine {
         }
       }
     }
+  }
+
+  /** Lets a line or a peg move with a velocity, from now on. */
+  final void setVelocity(int code, double ux, double uy, double now) {
+    boolean isInGrids = !staticScene.obstacles.moves(code);
+    forget(code); // circles that it lets go search with the grids as they are
+    staticScene.obstacles.setVelocity(code, ux, uy, now);
+    moved(code, isInGrids, now);
+  }
+
+  /** Lets a line or a peg move until it arrives, see {@link ObstacleTable#moveTo}. */
+  final void moveTo(int code, double[] numbers, double ux, double uy, double now, double arrival) {
+    boolean isInGrids = !staticScene.obstacles.moves(code);
+    forget(code);
+    staticScene.obstacles.moveTo(code, numbers, ux, uy, now, arrival);
+    moved(code, isInGrids, now);
+  }
+
+  private void moved(int code, boolean isInGrids, double now) {
+    if (isInGrids && staticScene.obstacles.moves(code)) {
+      staticScene.forgetGrids();
+    }
+    appeared(code, now);
   }
 
   /** Handles a change of a line or a peg that no flight meets, such as its removal. */

@@ -69,8 +69,9 @@ public final class IndependentEngine extends Engine {
    * advanced to the time of its last impact instead. Each circle makes at least one impact.
    */
   @Override
-  public double advance(double end, long work) {
+  double play(double end, long work) {
     prepare(end);
+    int rows = log.size();
     ownWork = Math.max(1, work / (WORK_PER_CALL / WORK_PER_CIRCLE + registry.count()));
     long commonWork = work - ownWork * registry.count();
     undoLog.clear();
@@ -83,7 +84,7 @@ public final class IndependentEngine extends Engine {
       reached = pass(goal);
       if (reached < goal) {
         undoLog.restore(circles);
-        log.clear();
+        log.cut(rows);
         if (recorder != null) {
           recorder.undo();
         }
@@ -93,9 +94,9 @@ public final class IndependentEngine extends Engine {
   }
 
   @Override
-  public double advanceToImpact(double end, long work) {
+  double playToImpact(double end, long work) {
     prepare(end);
-    return advance(Math.min(end, nextEvent(end)), work);
+    return play(Math.min(end, nextEvent(end)), work);
   }
 
   @Override

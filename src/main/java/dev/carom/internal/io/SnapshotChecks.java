@@ -115,7 +115,7 @@ final class SnapshotChecks {
       }
       double since = motions.since(i);
       expect(since >= 0 && since <= now, "an obstacle moves since ", since);
-      expect(motions.until(i) >= since, "an obstacle moves until ", motions.until(i));
+      expect(motions.until(i) >= now, "an obstacle moves until ", motions.until(i));
     }
   }
 

@@ -13,6 +13,7 @@ import dev.carom.internal.state.Codes;
 import dev.carom.internal.state.Gravity;
 import dev.carom.internal.state.ImpactRows;
 import dev.carom.internal.state.MovingCircle;
+import dev.carom.internal.state.ObstacleMotions;
 import dev.carom.internal.state.ObstacleRows;
 import dev.carom.internal.state.ObstacleTable;
 import dev.carom.internal.sweep.Fall;
@@ -48,18 +49,54 @@ public final class Tracer {
   }
 
   /**
-   * Finds the first contact until a given time: exactly the earliest one, sensors ignored.
+   * Finds the first contact until a given time: exactly the earliest one, sensors ignored. Among
+   * obstacles that arrive on the way, a circle that meets one where it rests goes on from its
+   * rounded place at that time.
    *
-   * @param body the circle at the start; it receives the contact: {@code next}, {@code contact} and
-   *     its time {@code cleared}; {@code next} is NOTHING if there is none
+   * @param body the circle at the start, at time 0; it receives the contact: {@code next}, {@code
+   *     contact} and its time {@code cleared}; {@code next} is NOTHING if there is none
    */
   public void first(MovingCircle body, double maxTime) {
-    search.cast(body, index.grid(body.radius), maxTime);
+    double x = body.x;
+    double y = body.y;
+    double arrival = obstacles.nextArrival();
+    while (arrival < maxTime && !findFirst(body, arrival)) {
+      arrive(body, arrival);
+      arrival = obstacles.nextArrival();
+    }
+    if (body.next == MovingCircle.NOTHING) {
+      findFirst(body, maxTime);
+    }
+    body.x = x;
+    body.y = y;
+    body.cleared += body.t;
+    body.t = 0;
+  }
+
+  private boolean findFirst(MovingCircle body, double maxTime) {
+    double end = maxTime - body.t;
+    search.cast(body, index.grid(body.radius), end);
     boolean hits = body.next != MovingCircle.NOTHING;
     double t = body.cleared;
-    if (hits && (t > maxTime || (t == maxTime && isLater(body, maxTime)))) {
+    if (hits && (t > end || (t == end && isLater(body, end)))) {
       body.next = MovingCircle.NOTHING;
     }
+    return body.next != MovingCircle.NOTHING;
+  }
+
+  /** Lets the obstacles rest that arrive at a time, as the engine does. */
+  private void arrive(MovingCircle body, double time) {
+    ObstacleMotions motions = obstacles.motions();
+    for (int i = 0; i < motions.count(); i++) {
+      if (motions.until(i) - obstacles.epoch() <= time) {
+        obstacles.restInQuestion(motions.code(i));
+        body.forget(motions.code(i), 0);
+        if (search.meets(body, motions.code(i))) {
+          body.restart(time, 0, obstacles.wallsFor(body.filter));
+        }
+      }
+    }
+    body.clearUpTo(0);
   }
 
   /** Whether a contact is exactly later than a time to which it rounds. */
@@ -112,7 +149,7 @@ public final class Tracer {
     add(body, flights);
     ExactBudget work = ExactBudget.ofThread();
     long before = work.bits();
-    while (impacts.size() < number && next(body, duration)) {
+    while (impacts.size() < number && next(body, duration, contact, flights)) {
       int count = impacts.size();
       int done = flights.size() / TracedPath.FLIGHT - 1; // impacts and ends of slides
       if (done > 0 && done + work.impactsSince(before) >= most) {
@@ -138,7 +175,23 @@ public final class Tracer {
   }
 
   /** Looks for the next impact, past sensors; false if there is none until the given time. */
-  private boolean next(MovingCircle body, double end) {
+  private boolean next(MovingCircle body, double end, LoneContact contact, DoubleList flights) {
+    double arrival = obstacles.nextArrival();
+    while (arrival < end) {
+      if (comes(body, arrival)) {
+        return true;
+      }
+      if (isLeftBy(body, arrival, contact)) {
+        add(body, flights);
+      }
+      arrive(body, arrival);
+      arrival = obstacles.nextArrival();
+    }
+    return comes(body, end);
+  }
+
+  /** Whether an impact or a tick comes until a time. */
+  private boolean comes(MovingCircle body, double end) {
     do {
       search.extendPastSensors(body, grid, end - body.t);
       if (body.due() <= end && (body.next != MovingCircle.NOTHING || body.ticksNext())) {
@@ -146,6 +199,31 @@ public final class Tracer {
       }
     } while (body.due() <= end && body.cleared < Double.POSITIVE_INFINITY);
     return false;
+  }
+
+  /** Lets a circle fall if it is in contact with what arrives; returns whether it was. */
+  private boolean isLeftBy(MovingCircle body, double time, LoneContact contact) {
+    contact.changed();
+    ObstacleMotions motions = obstacles.motions();
+    for (int i = 0; i < motions.count(); i++) {
+      int code = motions.code(i);
+      if (motions.until(i) - obstacles.epoch() <= time && isHeld(body, code, time, contact)) {
+        if (body.isMember()) {
+          contact.leave(body, time);
+        }
+        body.restart(time, 0, obstacles.wallsFor(body.filter));
+        body.forget(code, 0);
+        body.fall(gravity.x, gravity.y);
+        return true;
+      }
+    }
+    return false;
+  }
+
+  private static boolean isHeld(MovingCircle body, int code, double time, LoneContact contact) {
+    return body.isMember()
+        ? contact.isNear(body, code, time)
+        : body.support == code || body.landing == code;
   }
 
   private void addNear(MovingCircle m, double reach, double now, IntList into) {

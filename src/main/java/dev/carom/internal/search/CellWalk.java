@@ -85,8 +85,20 @@ abstract class CellWalk extends FirstImpact {
   /** Finds the moving obstacles that the path may meet between two times in a window. */
   abstract void findMoving(MotionWindow window, double from, double end);
 
-  /** Considers number i of the obstacles that move, up to a time. */
-  abstract void considerMoving(int i, double end);
+  /**
+   * Considers number i of the obstacles that move, up to a time or to its arrival. For a flight
+   * that starts then it is at rest, which the engine says once the flight goes on.
+   */
+  final void considerMoving(int i, double end) {
+    double start = obstacles.epoch() + body.t;
+    double arrival = obstacles.motions().until(i) - start - body.tl;
+    if (arrival > 0) {
+      considerMotion(i, Math.min(end, arrival));
+    }
+  }
+
+  /** Considers number i of the obstacles that move, up to a time, as if it never stopped. */
+  abstract void considerMotion(int i, double end);
 
   /** Considers an obstacle at rest, whose place no filter tells. */
   abstract void considerOnly(int code);

@@ -165,7 +165,7 @@ final class FallSearch extends FallTimes {
   }
 
   @Override
-  void considerMoving(int i, double end) {
+  void considerMotion(int i, double end) {
     to = Math.min(best, end);
     chooseMoving(i);
     ask(obstacles.motions().code(i));

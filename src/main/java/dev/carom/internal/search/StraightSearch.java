@@ -351,7 +351,7 @@ final class StraightSearch extends CellWalk {
   }
 
   @Override
-  void considerMoving(int i, double end) {
+  void considerMotion(int i, double end) {
     int code = obstacles.motions().code(i);
     if (ignores(code)) {
       return;

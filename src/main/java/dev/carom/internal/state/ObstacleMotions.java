@@ -60,17 +60,18 @@ public final class ObstacleMotions {
   /** A motion of an obstacle with one velocity, which never ends. */
   public static double[] motion(int code, double ux, double uy, double since) {
     double[] motion = new double[SIZE];
-    set(motion, 0, code, ux, uy, since);
+    set(motion, 0, code, ux, uy, since, NEVER);
     return motion;
   }
 
-  private static void set(double[] motions, int k, int code, double ux, double uy, double since) {
+  private static void set(
+      double[] motions, int k, int code, double ux, double uy, double since, double until) {
     motions[k + LineShape.AX] = ux;
     motions[k + LineShape.AY] = uy;
     motions[k + LineShape.BX] = Codes.isLine(code) ? ux : 0; // a radius stays
     motions[k + LineShape.BY] = Codes.isLine(code) ? uy : 0;
     motions[k + SINCE] = since;
-    motions[k + UNTIL] = NEVER;
+    motions[k + UNTIL] = until;
   }
 
   /** The same, for one more object to use: whichever is to be changed is copied first. */
@@ -83,6 +84,16 @@ public final class ObstacleMotions {
 
   private ObstacleMotions own() {
     return isShared ? new ObstacleMotions(codes.clone(), motions.clone()) : this;
+  }
+
+  /** A copy that nobody else uses, in the arrays of another one if they fit. */
+  ObstacleMotions copyInto(ObstacleMotions other) {
+    if (other.isShared || other.codes.length != codes.length) {
+      return new ObstacleMotions(codes.clone(), motions.clone());
+    }
+    System.arraycopy(codes, 0, other.codes, 0, codes.length);
+    System.arraycopy(motions, 0, other.motions, 0, motions.length);
+    return other;
   }
 
   public int count() {
@@ -126,6 +137,20 @@ public final class ObstacleMotions {
     return motions[i * SIZE + UNTIL];
   }
 
+  /** Whether motion i ends at a time and place that were given. */
+  public boolean ends(int i) {
+    return until(i) < NEVER;
+  }
+
+  /** The earliest end of a motion; infinite if none ends. */
+  public double nextEnd() {
+    double next = NEVER;
+    for (int k = UNTIL; k < codes.length * SIZE; k += SIZE) {
+      next = Math.min(next, motions[k]);
+    }
+    return next;
+  }
+
   /** The velocity of a number of the row of obstacle i. */
   public double velocity(int i, int number) {
     return motions[i * SIZE + number];
@@ -165,12 +190,17 @@ public final class ObstacleMotions {
     }
   }
 
-  /** These motions, of which that of an obstacle never ends and has this velocity. */
+  /** These motions, of which that of an obstacle has this velocity and never ends. */
   ObstacleMotions with(int code, double ux, double uy, double since) {
+    return with(code, ux, uy, since, NEVER);
+  }
+
+  /** These motions, of which that of an obstacle has this velocity between two times. */
+  ObstacleMotions with(int code, double ux, double uy, double since, double until) {
     int i = Math.max(indexOf(code), -1 - indexOf(code));
     ObstacleMotions all = indexOf(code) < 0 ? spliced(i, i + 1) : own();
     all.codes[i] = code;
-    set(all.motions, i * SIZE, code, ux, uy, since);
+    set(all.motions, i * SIZE, code, ux, uy, since, until);
     return all;
   }
 

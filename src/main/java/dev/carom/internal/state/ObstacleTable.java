@@ -55,8 +55,14 @@ public final class ObstacleTable {
   /** The obstacles that move, or moved before; never null. */
   private ObstacleMotions motions = ObstacleMotions.NONE;
 
-  /** The time of the world that a question counts as 0, see {@link #setEpoch}. */
+  /** The time of the world that a question counts as 0, see {@link #beginQuestion}. */
   private double epoch;
+
+  /** The motions apart from those that a question has followed to their ends; null for these. */
+  private ObstacleMotions beforeQuestion;
+
+  /** Room for the motions of a question. */
+  private ObstacleMotions ofQuestions = ObstacleMotions.NONE;
 
   private ObstacleTable(double[] walls, ObstacleRows... rows) {
     this.walls = walls;
@@ -283,11 +289,36 @@ public final class ObstacleTable {
   }
 
   /**
-   * Sets the time of the world that counts as time 0 in {@link #place} and {@link #rowAt}: that of
-   * a question while it is answered, else 0.
+   * Begins a question, at a time of the world that counts as time 0 until the question ends. What
+   * has arrived by then is at rest.
    */
-  public void setEpoch(double time) {
+  public void beginQuestion(double time) {
+    endQuestion();
     epoch = time;
+    for (int i = 0; i < motions.count(); i++) {
+      if (motions.until(i) <= time) {
+        restInQuestion(motions.code(i));
+      }
+    }
+  }
+
+  /** Lets an obstacle rest where it arrives, until the question ends. */
+  public void restInQuestion(int code) {
+    if (beforeQuestion == null) {
+      beforeQuestion = motions;
+      ofQuestions = motions.copyInto(ofQuestions);
+      motions = ofQuestions;
+    }
+    motions = motions.with(code, 0, 0, epoch);
+  }
+
+  /** Ends a question; what it followed to its arrival moves on. */
+  public void endQuestion() {
+    epoch = 0;
+    if (beforeQuestion != null) {
+      motions = beforeQuestion;
+      beforeQuestion = null;
+    }
   }
 
   /** Gives an obstacle a velocity, from where it is at a given time. */
@@ -298,6 +329,45 @@ public final class ObstacleTable {
       return; // it is at rest, and never moved
     }
     motions = motions.with(code, ux, uy, now);
+  }
+
+  /**
+   * Lets an obstacle move with a velocity until it arrives, and then rest.
+   *
+   * @param numbers those before its restitution at its arrival
+   */
+  public void moveTo(int code, double[] numbers, double ux, double uy, double now, double arrival) {
+    of(code).move(code, numbers);
+    motions = motions.with(code, ux, uy, now, arrival);
+  }
+
+  /** Whether an obstacle is on its way to a place, to arrive at a time, or rests there. */
+  public boolean goesTo(int code, double x, double y, double arrival) {
+    ObstacleRows rows = of(code);
+    int k = rows.offset(code);
+    boolean isMeant =
+        rows.values[k + ObstacleShape.X] == x && rows.values[k + ObstacleShape.Y] == y;
+    return isMeant && (isAtRest(code) || arrival(code) == arrival);
+  }
+
+  /** Writes the numbers of an obstacle before its restitution at a time. */
+  public void numbersAt(int code, double time, double[] to) {
+    ObstacleRows rows = of(code);
+    if (moves(code)) {
+      place(motions.indexOf(code), time, 0, to);
+    } else {
+      System.arraycopy(rows.values, rows.offset(code), to, 0, rows.shape.restitution);
+    }
+  }
+
+  /** The time of the next arrival of an obstacle; infinite if there is none. */
+  public double nextArrival() {
+    return motions.nextEnd() - epoch;
+  }
+
+  /** The time of arrival of an obstacle; infinite if it has none. */
+  public double arrival(int code) {
+    return moves(code) ? motions.until(motions.indexOf(code)) : Double.POSITIVE_INFINITY;
   }
 
   /** The {@link Part} of an obstacle that a contact code of the detector stands for. */
@@ -387,11 +457,15 @@ public final class ObstacleTable {
     return ofKind(kind).add(numbers);
   }
 
-  /** Sets the numbers of an obstacle before its restitution, at a given time. */
+  /**
+   * Sets the numbers of an obstacle before its restitution, at a given time. It moves on, unless it
+   * was on its way to an arrival.
+   */
   public void move(int code, double[] numbers, double now) {
     of(code).move(code, numbers);
     if (moves(code)) {
-      motions = motions.with(code, ux(code), uy(code), now);
+      boolean movesOn = arrival(code) == Double.POSITIVE_INFINITY;
+      motions = motions.with(code, movesOn ? ux(code) : 0, movesOn ? uy(code) : 0, now);
     }
   }
 

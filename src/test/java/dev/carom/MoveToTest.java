@@ -1,0 +1,403 @@
+// SPDX-License-Identifier: Apache-2.0
+package dev.carom;
+
+import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.assertThatThrownBy;
+import static org.assertj.core.api.Assertions.within;
+
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Random;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.CsvSource;
+import org.junit.jupiter.params.provider.ValueSource;
+
+/** Lines and pegs that go to a place by a time, and then rest. */
+class MoveToTest {
+
+  private static final double DT = 1 / 60.0;
+
+  private static void finish(World world, double t) {
+    world.advanceTo(t);
+  }
+
+  private static Vec2 place(World world, Kind kind, int id) {
+    return kind == Kind.LINE ? world.line(id).start() : world.peg(id).center();
+  }
+
+  private static SceneBuilder paddle() {
+    return Scene.builder().line(0, -10, 0, 10);
+  }
+
+  // The motion.
+
+  @Test
+  void itArrivesToTheBitAndRestsThere() {
+    Random random = new Random(1);
+    World world = new World(Scene.builder().line(0.1, 0.2, 3, 4).peg(5, 6, 0.5).build());
+    for (int i = 0; i < 2000; i++) {
+      Kind kind = random.nextBoolean() ? Kind.LINE : Kind.PEG;
+      double x = random.nextGaussian() * Math.pow(10, random.nextInt(9) - 4);
+      double y = random.nextGaussian();
+      double arrival = world.now() + random.nextDouble();
+      world.moveTo(kind, 0, x, y, arrival);
+      finish(world, world.now() + random.nextDouble() * (arrival - world.now()));
+      finish(world, arrival);
+      assertThat(place(world, kind, 0)).isEqualTo(new Vec2(x, y));
+      assertThat(world.velocity(kind, 0)).isEqualTo(Vec2.ZERO);
+      finish(world, arrival + random.nextDouble());
+      assertThat(place(world, kind, 0)).isEqualTo(new Vec2(x, y));
+      assertThat(world.velocity(kind, 0)).isEqualTo(Vec2.ZERO);
+    }
+  }
+
+  /**
+   * The velocity is rounded, and the place of arrival is not. So the place steps at the call: by
+   * the rounding of the way and of the velocity, 2^-53 of the way each, and by that of the place.
+   */
+  @Test
+  void thePlaceStepsAtTheCallByNoMoreThanRounding() {
+    Random random = new Random(2);
+    World world = new World(Scene.builder().line(0.1, 0.2, 3, 4).build());
+    double most = 0;
+    for (int i = 0; i < 20_000; i++) {
+      Line before = world.line(0);
+      double x = random.nextGaussian() * Math.pow(10, random.nextInt(9) - 4);
+      double arrival = world.now() + random.nextDouble();
+      world.moveTo(Kind.LINE, 0, x, random.nextGaussian(), arrival);
+      double step = Math.abs(world.line(0).ax() - before.ax());
+      double way = Math.abs(x - before.ax());
+      double bound = 0x1p-52 * way + 0x1p-53 * Math.abs(before.ax());
+      assertThat(step).isLessThanOrEqualTo(bound);
+      most = Math.max(most, step / bound);
+      finish(world, world.now() + random.nextDouble() * (arrival - world.now()));
+    }
+    assertThat(most).isGreaterThan(0.3); // the bound is not idle
+  }
+
+  @Test
+  void bothEndsOfALineMoveAlike() {
+    World world = new World(Scene.builder().line(1, 2, 5, 7).build());
+    world.moveTo(Kind.LINE, 0, 11, 22, 10);
+    finish(world, 5);
+    assertThat(world.line(0)).isEqualTo(new Line(6, 12, 10, 17));
+    finish(world, 20);
+    assertThat(world.line(0)).isEqualTo(new Line(11, 22, 15, 27));
+  }
+
+  @Test
+  void anotherEditReplacesTheMotion() {
+    World world = new World(Scene.builder().peg(0, 0, 1).build());
+    world.moveTo(Kind.PEG, 0, 10, 0, 10);
+    finish(world, 5);
+    world.moveTo(Kind.PEG, 0, 5, 10, 7);
+    finish(world, 6);
+    assertThat(world.peg(0).center()).isEqualTo(new Vec2(5, 5));
+    world.setVelocity(Kind.PEG, 0, 1, 0);
+    finish(world, 16); // past both arrivals
+    assertThat(world.peg(0).center()).isEqualTo(new Vec2(15, 5));
+    world.moveTo(Kind.PEG, 0, 20, 5, 20);
+    world.movePeg(0, 1, 1, 1);
+    assertThat(world.velocity(Kind.PEG, 0)).isEqualTo(Vec2.ZERO);
+    finish(world, 30);
+    assertThat(world.peg(0).center()).isEqualTo(new Vec2(1, 1));
+    world.moveTo(Kind.PEG, 0, 5, 1, 32);
+    finish(world, 31);
+    world.remove(Kind.PEG, 0);
+    finish(world, 40);
+    assertThat(world.contains(Kind.PEG, 0)).isFalse();
+  }
+
+  @Test
+  void theMotionThatItHasAlreadyIsNoEdit() {
+    World world = new World(paddle().circle(10, 0.3, 1, -0.1, 0.01).build());
+    world.moveTo(Kind.LINE, 0, 6, -10, 3);
+    finish(world, 1);
+    Snapshot before = world.snapshot();
+    world.moveTo(Kind.LINE, 0, 6, -10, 3);
+    assertThat(world.snapshot()).isEqualTo(before);
+    finish(world, 4);
+    before = world.snapshot();
+    world.moveTo(Kind.LINE, 0, 6, -10, 7);
+    assertThat(world.snapshot()).isEqualTo(before);
+  }
+
+  @Test
+  void anArrivalSoSoonThatTheVelocityIsInfiniteIsRefused() {
+    World world = new World(paddle().build());
+    Snapshot before = world.snapshot();
+    assertThatThrownBy(() -> world.moveTo(Kind.LINE, 0, 9, 99, Double.MIN_VALUE))
+        .isInstanceOf(IllegalArgumentException.class)
+        .hasMessage("line 0: arrival is 4.9E-324: expected late enough after 0.0 for this way");
+    assertThat(world.snapshot()).isEqualTo(before);
+  }
+
+  // Circles in the way.
+
+  @ParameterizedTest
+  @ValueSource(booleans = {false, true})
+  void aBallInFrontLeavesWithTwiceTheVelocity(boolean collide) {
+    World world = new World(paddle().circle(5, 0, 1, 0, 0).collide(collide).build());
+    world.moveTo(Kind.LINE, 0, 8, -10, 4);
+    finish(world, 10);
+    assertThat(world.impacts().size()).isEqualTo(1);
+    assertThat(world.impacts().time(0)).isEqualTo(2);
+    assertThat(world.vx(0)).isEqualTo(4);
+    assertThat(world.x(0)).isEqualTo(5 + 8 * 4);
+  }
+
+  @ParameterizedTest
+  @ValueSource(booleans = {false, true})
+  void beyondItsArrivalItPushesNothing(boolean collide) {
+    World world = new World(paddle().circle(5, 0, 1, 0, 0).collide(collide).build());
+    world.moveTo(Kind.LINE, 0, 3.9, -10, 4);
+    finish(world, 100);
+    assertThat(world.impacts().size()).isZero();
+    assertThat(world.x(0)).isEqualTo(5);
+    world.setVelocity(0, -1, 0);
+    finish(world, 110);
+    assertThat(world.impacts().time(0)).isCloseTo(100.1, within(1e-12));
+    assertThat(world.vx(0)).isEqualTo(1);
+  }
+
+  /** A ball that follows a paddle catches up only as it stops. */
+  @ParameterizedTest
+  @ValueSource(booleans = {false, true})
+  void aBallBehindHitsThePaddleAtRest(boolean collide) {
+    World world = new World(paddle().circle(-2, 0, 1, 1, 0).collide(collide).build());
+    world.moveTo(Kind.LINE, 0, 4, -10, 4);
+    finish(world, 10);
+    assertThat(world.impacts().size()).isEqualTo(1);
+    assertThat(world.impacts().time(0)).isEqualTo(5);
+    assertThat(world.vx(0)).isEqualTo(-1);
+  }
+
+  /** One that touches it all the time, too. */
+  @ParameterizedTest
+  @ValueSource(booleans = {false, true})
+  void aBallInTouchHitsThePaddleAsItStops(boolean collide) {
+    World world = new World(paddle().circle(-1, 0, 1, 1, 0).collide(collide).build());
+    world.moveTo(Kind.LINE, 0, 4, -10, 4);
+    finish(world, 10);
+    assertThat(world.impacts().time(world.impacts().size() - 1)).isEqualTo(4);
+    assertThat(world.vx(0)).isEqualTo(-1);
+    assertThat(world.x(0)).isEqualTo(-3);
+  }
+
+  /** A ball that is set in front of it at the time of its arrival meets a paddle at rest. */
+  @ParameterizedTest
+  @ValueSource(booleans = {false, true})
+  void aBallThatComesAtTheArrivalIsNotPushed(boolean collide) {
+    World world = new World(paddle().circle(50, 0, 1, 0, 0).collide(collide).build());
+    world.moveTo(Kind.LINE, 0, 4, -10, 4);
+    finish(world, 4);
+    int ball = world.addCircle(5, 0, 1, 0, 0, Traits.DEFAULT);
+    finish(world, 5);
+    assertThat(world.impacts().size()).isZero();
+    assertThat(world.vx(ball)).isZero();
+  }
+
+  /** With {@code moveLine} in each frame most of them pass. */
+  @ParameterizedTest
+  @ValueSource(booleans = {false, true})
+  void aPaddleSentSomewhereInEachFrameLetsNoBallThrough(boolean collide) {
+    assertThat(passed(collide, true)).isZero();
+    assertThat(passed(collide, false)).isGreaterThan(20);
+  }
+
+  /** The number of 300 balls above a floor that moves up and down which come to be below it. */
+  private static int passed(boolean collide, boolean pushes) {
+    Random random = new Random(3);
+    SceneBuilder scene = Scene.builder().bounds(0, -200, 3000, 400).collide(collide);
+    scene.line(-10, 0, 3010, 0);
+    for (int i = 0; i < 300; i++) {
+      scene.circle(5 + 10 * i, 10 + 100 * random.nextDouble(), 1, 0, -300);
+    }
+    World world = new World(scene.build());
+    for (int frame = 1; frame <= 240; frame++) {
+      double y = 40 * Math.sin(0.25 * frame);
+      if (pushes) {
+        world.moveTo(Kind.LINE, 0, -10, y, frame * DT);
+        finish(world, frame * DT);
+      } else {
+        finish(world, frame * DT);
+        world.moveLine(0, -10, y, 3010, y);
+      }
+    }
+    int below = 0;
+    for (int i = 0; i < 300; i++) {
+      below += world.y(i) < world.line(0).ay() ? 1 : 0;
+    }
+    return below;
+  }
+
+  // Frames, snapshots and the past.
+
+  /** One step, frames, frames that end at arrivals, impact after impact, with snapshots between. */
+  @ParameterizedTest
+  @CsvSource({"false, 0", "false, -10", "true, 0", "true, -10"})
+  void framesDoNotMatter(boolean collide, double gravity) {
+    for (int seed = 0; seed < 15; seed++) {
+      Snapshot whole = play(seed, collide, gravity, 0);
+      for (int way = 1; way < 5; way++) {
+        assertThat(play(seed, collide, gravity, way))
+            .as("seed %s, way %s", seed, way)
+            .isEqualTo(whole);
+      }
+    }
+  }
+
+  private static Snapshot play(int seed, boolean collide, double gravity, int way) {
+    Random random = new Random(seed);
+    SceneBuilder scene = Scene.builder().bounds(0, 0, 20, 20).collide(collide);
+    scene.gravity(0, gravity);
+    for (int i = 0; i < 4; i++) {
+      double x = 2 + 4 * i;
+      scene.line(x, 4, x + 3, 4 + random.nextInt(2)).peg(x, 9, 0.5 + random.nextDouble());
+    }
+    for (int i = 0; i < 8; i++) {
+      scene.circle(1.5 + 2 * i, 15, 0.4, random.nextGaussian(), random.nextGaussian());
+      scene.restitution(random.nextInt(3) / 2.0);
+    }
+    World world = new World(scene.build());
+    Random cuts = new Random(99);
+    for (double t = 1; t <= 6; t++) {
+      for (int i = 0; i < 4; i++) {
+        Kind kind = random.nextBoolean() ? Kind.LINE : Kind.PEG;
+        double x = 20 * random.nextDouble();
+        double arrival = t - 1 + (1 + random.nextInt(12)) / 8.0;
+        world.moveTo(kind, i, x, 2 + 12 * random.nextDouble(), arrival);
+      }
+      world = go(world, t, way, cuts);
+    }
+    return world.snapshot();
+  }
+
+  private static World go(World world, double end, int way, Random cuts) {
+    World played = world;
+    while (way > 0 && played.now() < end) {
+      double next = Math.min(end, played.now() + (way == 2 ? 0.125 : 0.3 * cuts.nextDouble()));
+      if (way == 3) {
+        played.advanceToImpact(end);
+      } else {
+        finish(played, next);
+      }
+      if (way == 4) {
+        Snapshot saved = played.snapshot();
+        played = new World(world.scene());
+        played.restore(saved);
+      }
+    }
+    finish(played, end);
+    return played;
+  }
+
+  @ParameterizedTest
+  @CsvSource({"false, 0", "false, -10", "true, 0", "true, -10"})
+  void aTimelineKnowsThePast(boolean collide, double gravity) {
+    SceneBuilder scene = paddle().bounds(-20, -20, 20, 20).gravity(0, gravity).collide(collide);
+    for (int i = 0; i < 6; i++) {
+      scene.circle(3 + 2 * i, 2 * i - 5, 0.8, -i, 1).restitution(0.5);
+    }
+    World world = new World(scene.build());
+    Timeline past = world.record(100);
+    List<Line> lines = new ArrayList<>();
+    List<Double> places = new ArrayList<>();
+    for (int frame = 0; frame <= 60; frame++) {
+      if (frame % 10 == 0) {
+        world.moveTo(Kind.LINE, 0, 6 * Math.sin(frame), -10 + frame / 10.0, world.now() + 0.7);
+      }
+      lines.add(world.line(0));
+      places.add(world.x(2));
+      finish(world, (frame + 1) / 10.0);
+    }
+    for (int frame = 60; frame >= 0; frame--) {
+      assertThat(past.line(0, frame / 10.0)).isEqualTo(lines.get(frame));
+      assertThat(past.x(2, frame / 10.0)).isEqualTo(places.get(frame));
+    }
+    World again = new World(world.scene());
+    again.restore(past.snapshot(5.35)); // on the way to the arrival at 5.7
+    finish(again, 5.95);
+    World straight = new World(world.scene());
+    straight.restore(past.snapshot(5.95));
+    assertThat(again.snapshot()).isEqualTo(straight.snapshot());
+  }
+
+  // Under gravity.
+
+  @ParameterizedTest
+  @CsvSource({"1, 0", "1, 0.3", "3, 0.3", "-1, 0.3", "-3, 0"})
+  void aHeapStaysOnALiftThatStops(double speed, double e) {
+    SceneBuilder scene = Scene.builder().gravity(0, -10).bounds(0, -50, 4, 50).collide(true);
+    scene.line(-1, 0, 5, 0);
+    for (int i = 0; i < 10; i++) {
+      scene.circle(0.6 + 0.7 * (i % 5), 1 + 1.5 * i, 0.5, 0, 0).restitution(e);
+    }
+    World world = new World(scene.build());
+    for (int frame = 1; frame <= 900; frame++) {
+      if (frame == 600) {
+        world.moveTo(Kind.LINE, 0, -1, 2.5 * speed, world.now() + 2.5);
+      }
+      finish(world, frame * DT);
+      double floor = world.line(0).ay();
+      for (int i = 0; i < 10; i++) {
+        assertThat(world.y(i)).isGreaterThan(floor + 0.5 - 1e-9);
+      }
+    }
+    for (int i = 0; i < 10; i++) {
+      assertThat(world.y(i)).isLessThan(2.5 * speed + 4);
+      assertThat(Math.abs(world.vy(i))).as("ball %s", i).isLessThan(0.1); // some slide apart
+    }
+  }
+
+  // Questions.
+
+  @Test
+  void aCastSeesItOnItsWayAndAtRest() {
+    World world = new World(paddle().build());
+    world.moveTo(Kind.LINE, 0, 4, -10, 4);
+    Circle ball = new Circle(20, 0, 1);
+    Impact onTheWay = world.cast(ball, new Vec2(-9, 0), 100).orElseThrow();
+    assertThat(onTheWay.time()).isEqualTo(1.9);
+    Impact atRest = world.cast(ball, new Vec2(-1, 0), 100).orElseThrow();
+    assertThat(atRest.time()).isEqualTo(15);
+    assertThat(atRest.point()).isEqualTo(new Vec2(4, 0));
+    assertThat(world.cast(ball, new Vec2(-1, 0), 14)).isEmpty();
+    assertThat(world.cast(new Circle(4, 0, 1), new Vec2(20, 0), 100)).isEmpty();
+    finish(world, 4);
+    assertThat(world.cast(ball, new Vec2(-1, 0), 100).orElseThrow().time()).isEqualTo(15);
+    Casts casts = new Casts();
+    casts.add(20, 0, 1, -1, 0);
+    casts.add(-20, 0, 1, 1, 0);
+    world.cast(casts, 100);
+    assertThat(casts.time(0)).isEqualTo(15);
+    assertThat(casts.time(1)).isEqualTo(23);
+    finish(world, 5);
+    world.cast(casts, 100);
+    assertThat(casts.time(0)).isEqualTo(15);
+    assertThat(world.velocity(Kind.LINE, 0)).isEqualTo(Vec2.ZERO);
+  }
+
+  /** Where circles ignore each other, a path is the one that the world goes. */
+  @ParameterizedTest
+  @ValueSource(doubles = {0, -10})
+  void aTraceFollowsTheWorld(double gravity) {
+    Random random = new Random(7);
+    for (int i = 0; i < 40; i++) {
+      Circle ball = new Circle(-15 + random.nextInt(12), 4, 0.5);
+      Vec2 v = new Vec2(8 * random.nextDouble(), random.nextGaussian());
+      SceneBuilder scene = paddle().bounds(-20, -20, 20, 20).gravity(0, gravity);
+      World world =
+          new World(scene.line(-20, -5, 20, -5).circle(ball.x(), 4, 0.5, v.x(), v.y()).build());
+      world.moveTo(Kind.LINE, 0, 3 * random.nextGaussian(), -10, 1 + random.nextDouble());
+      world.moveTo(Kind.LINE, 1, -20, -6 * random.nextDouble(), 1 + 2 * random.nextDouble());
+      Trajectory path = world.trace(ball, v, 1, 5, 1000);
+      for (int k = 1; k <= 50; k++) {
+        finish(world, k / 10.0);
+        assertThat(path.at(k / 10.0).x()).as("%s at %s", i, k).isCloseTo(world.x(0), within(1e-9));
+        assertThat(path.at(k / 10.0).y()).as("%s at %s", i, k).isCloseTo(world.y(0), within(1e-9));
+      }
+    }
+  }
+}
