@@ -8,7 +8,9 @@ import dev.carom.SceneBuilder;
 import dev.carom.Snapshot;
 import dev.carom.Vec2;
 import dev.carom.World;
+import java.util.NavigableSet;
 import java.util.Random;
+import java.util.TreeSet;
 
 /**
  * The velocities of the obstacles of a session, at its start and set between its steps. They are
@@ -27,6 +29,9 @@ final class Motions {
   private final Random random;
   private final double length;
   private final double speed;
+
+  /** The times to come at which obstacles arrive, unless they were sent elsewhere. */
+  private final NavigableSet<Double> arrivals = new TreeSet<>();
 
   Motions(long seed, Numbers numbers) {
     random = new Random(seed ^ SALT);
@@ -48,7 +53,10 @@ final class Motions {
     return speed * v * (rare == 0 ? 1e-9 : rare == 1 ? 100 : 1);
   }
 
-  /** Sets a velocity, or not; returns whether it did. One that is refused must change nothing. */
+  /**
+   * Sets a velocity or a place to go to, or nothing; returns whether it did. An edit that is
+   * refused must change nothing.
+   */
   boolean edit(World world) throws FindingException {
     Kind kind = random.nextBoolean() ? Kind.LINE : Kind.PEG;
     int[] ids = world.ids(kind);
@@ -59,13 +67,32 @@ final class Motions {
     Vec2 v = velocity(place(world, kind, id));
     Snapshot before = world.snapshot();
     try {
-      world.setVelocity(kind, id, v.x(), v.y());
+      if (random.nextInt(3) > 0) {
+        world.setVelocity(kind, id, v.x(), v.y());
+      } else {
+        send(world, kind, id, v);
+      }
     } catch (IllegalArgumentException e) {
       if (!world.snapshot().equals(before)) {
         throw new FindingException("a velocity that was refused changed the world: " + e, e);
       }
     }
     return true;
+  }
+
+  /** Lets it go on with a velocity for some steps, and then rest. */
+  private void send(World world, Kind kind, int id, Vec2 v) {
+    double time = length / speed * random.nextInt(1, 20);
+    Vec2 from = place(world, kind, id);
+    double arrival = world.now() + time;
+    world.moveTo(kind, id, from.x() + v.x() * time, from.y() + v.y() * time, arrival);
+    arrivals.add(arrival);
+  }
+
+  /** The first time after a given one at which an obstacle may arrive. */
+  double nextArrival(double now) {
+    arrivals.headSet(now, true).clear();
+    return arrivals.isEmpty() ? Double.POSITIVE_INFINITY : arrivals.first();
   }
 
   /** One that leads back, of what has left the box; else any, or none. */

@@ -145,11 +145,24 @@ final class Session {
     do {
       double start = world.now();
       double part = Math.max(time, 2 * Math.ulp(start));
-      watch.step(start + part < end ? part : end - start);
+      watch.step(untilArrival(start, start + part < end ? part : end - start));
       stuck = !watch.isComplete() || watch.rows() >= MOST_IMPACTS;
       double passed = world.now() - start;
       time = passed == 0 ? time : PART * passed / watch.rows();
     } while (!stuck && world.now() < end);
+  }
+
+  /**
+   * The part of a step of some length before the next arrival of an obstacle; if there is none, up
+   * to the arrival. So each obstacle has one velocity in each step, as the checks assume.
+   */
+  private double untilArrival(double start, double dt) {
+    double arrival = motions == null ? Double.POSITIVE_INFINITY : motions.nextArrival(start);
+    double part = dt;
+    while (start + part >= arrival) {
+      part = Math.min(Math.nextDown(arrival) - start, Math.nextDown(part));
+    }
+    return start + part > start || dt == 0 ? part : arrival - start;
   }
 
   /** The session goes on in a new world, from what was written of the old one. */
