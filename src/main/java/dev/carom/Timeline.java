@@ -32,9 +32,11 @@ import dev.carom.internal.util.KindNumber;
  */
 public final class Timeline {
 
+  private final World world;
   private final TimelineRecorder recorder;
 
-  Timeline(TimelineRecorder recorder) {
+  Timeline(World world, TimelineRecorder recorder) {
+    this.world = world;
     this.recorder = recorder;
   }
 
@@ -123,40 +125,29 @@ public final class Timeline {
   }
 
   /**
-   * Returns the radius of a circle at a given time.
+   * Returns any thing as it was at a given time.
    *
-   * @param id the circle
+   * @param kind its kind
+   * @param id its id
    * @param t a time from {@link #start} to {@link #end}
-   * @return at least 0
-   * @throws IllegalArgumentException if the time is not known, or the circle was not there then
+   * @return a {@link Circle} for a circle or a peg, a {@link Line}, or for a wall the {@link
+   *     Bounds}; a coordinate beyond the range of doubles is the largest one
+   * @throws IllegalArgumentException if the time is not known, or the thing was not there then
    */
-  public double radius(int id, double t) {
-    FlightHistory track = track(id, t);
-    return track.rows.radius(track.find(t));
-  }
-
-  /**
-   * Returns a line as it was at a given time.
-   *
-   * @param id the line
-   * @param t a time from {@link #start} to {@link #end}
-   * @return the line
-   * @throws IllegalArgumentException if the time is not known, or the line was not there then
-   */
-  public Line line(int id, double t) {
-    return PublicRecords.line(checkedRow(Kind.LINE, "line", id, t), 0);
-  }
-
-  /**
-   * Returns a peg as it was at a given time.
-   *
-   * @param id the peg
-   * @param t a time from {@link #start} to {@link #end}
-   * @return the peg
-   * @throws IllegalArgumentException if the time is not known, or the peg was not there then
-   */
-  public Circle peg(int id, double t) {
-    return PublicRecords.peg(checkedRow(Kind.PEG, "peg", id, t), 0);
+  public Obstacle shape(Kind kind, int id, double t) {
+    if (!contains(kind, id, t)) {
+      throw unknown(kind, id, t);
+    }
+    return switch (kind) {
+      case CIRCLE -> {
+        FlightHistory track = track(id, t);
+        Vec2 center = Vec2.within(track.x(t, recorder.walls()), track.y(t, recorder.walls()));
+        yield new Circle(center, track.rows.radius(track.find(t)));
+      }
+      case LINE -> PublicRecords.line(row(kind, id, t), 0);
+      case PEG -> PublicRecords.peg(row(kind, id, t), 0);
+      case WALL -> PublicRecords.bounds(recorder.walls());
+    };
   }
 
   /**
@@ -169,8 +160,8 @@ public final class Timeline {
    * them. A call takes time in proportion to the circles, lines and pegs that are recorded. The
    * length of the recording does not matter.
    *
-   * <p>To go back more than once, take all snapshots first, or call {@link World#stopRecording}
-   * before the restore: a world that records and is restored begins its recording anew.
+   * <p>To go back more than once, take all snapshots first, or {@link #stop} the recording before
+   * the restore: a world that records and is restored begins its recording anew.
    *
    * @param t a time from {@link #start} to {@link #end}
    * @return the snapshot
@@ -178,6 +169,11 @@ public final class Timeline {
    */
   public Snapshot snapshot(double t) {
     return new Snapshot(recorder.state(checked(t) + 0.0)); // 0 for -0
+  }
+
+  /** Stops the recording, if it goes on. What is recorded stays, up to the present time. */
+  public void stop() {
+    world.stop(recorder);
   }
 
   private static boolean isId(int kind, int id) {
@@ -190,16 +186,9 @@ public final class Timeline {
     return isId(number, id) ? recorder.obstacle(Codes.of(number, id), t) : null;
   }
 
-  private double[] checkedRow(Kind kind, String name, int id, double t) {
-    double[] row = row(kind, id, checked(t));
-    if (row == null) {
-      throw unknown(name, id, t);
-    }
-    return row;
-  }
-
-  private static IllegalArgumentException unknown(String name, int id, double t) {
-    return Check.refused(name + " " + id, "unknown at " + t, "one that was there then");
+  private IllegalArgumentException unknown(Kind kind, int id, double t) {
+    checked(t);
+    return Check.refused(kind.nameOf(id), "unknown at " + t, "one that was there then");
   }
 
   private boolean isKnown(double t) {
@@ -216,8 +205,7 @@ public final class Timeline {
   private FlightHistory track(int id, double t) {
     FlightHistory track = recorder.track(id, t);
     if (track == null) {
-      checked(t);
-      throw unknown("circle", id, t);
+      throw unknown(Kind.CIRCLE, id, t);
     }
     return track;
   }

@@ -1096,7 +1096,7 @@ public final class World {
     if (!(duration >= 0)) {
       throw Check.refused("duration", duration, "at least 0");
     }
-    stopRecording();
+    stop(recorder);
     recorder =
         new TimelineRecorder(
             duration,
@@ -1108,16 +1108,16 @@ public final class World {
             this::state);
     recorder.begin(now);
     engine.record(recorder);
-    return new Timeline(recorder);
+    return new Timeline(this, recorder);
   }
 
-  /** Stops a recording, if there is one. Its timeline stays as it is. */
-  public void stopRecording() {
-    if (recorder != null) {
+  /** Stops a recording, if it goes on. */
+  void stop(TimelineRecorder recording) {
+    if (recorder != null && recorder == recording) {
       recorder.stop();
+      recorder = null;
+      engine.record(null);
     }
-    recorder = null;
-    engine.record(null);
   }
 
   /**

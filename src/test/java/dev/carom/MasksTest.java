@@ -210,7 +210,7 @@ class MasksTest {
     assertThat(world.x(0)).isEqualTo(110 - 8 * 20.5);
     assertThat(past.x(0, 7)).isEqualTo(106);
     assertThat(past.x(0, 28)).isEqualTo(-54);
-    assertThat(past.radius(0, 28)).isEqualTo(10);
+    assertThat(((Circle) past.shape(Kind.CIRCLE, 0, 28)).radius()).isEqualTo(10);
   }
 
   // Edits.

@@ -83,7 +83,7 @@ class MovingObstaclesTest {
     finish(world, 1e10);
     Line last = new Line(Double.MAX_VALUE, 0, Double.MAX_VALUE, 0);
     assertThat(world.line(0)).isEqualTo(last);
-    assertThat(timeline.line(0, 1e10)).isEqualTo(last);
+    assertThat(timeline.shape(Kind.LINE, 0, 1e10)).isEqualTo(last);
     world.setVelocity(Kind.LINE, 0, 0, 1);
     assertThat(world.line(0)).isEqualTo(last);
     ByteArrayOutputStream out = new ByteArrayOutputStream();

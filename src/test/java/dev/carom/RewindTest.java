@@ -254,7 +254,7 @@ class RewindTest {
     world.addLine(1, 1, 2, 2, Traits.DEFAULT);
     world.setTraits(WALL, 0, world.traits(WALL, 0).withRestitution(0.5));
     Snapshot edited = world.snapshot();
-    world.stopRecording();
+    second.stop();
     world.remove(CIRCLE, 0);
     world.step(3);
     assertThat(first.snapshot(3)).isEqualTo(atThree);

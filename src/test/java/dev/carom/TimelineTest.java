@@ -24,8 +24,9 @@ class TimelineTest {
     }
 
     static Moment of(Timeline line, int id, double t) {
+      double radius = ((Circle) line.shape(CIRCLE, id, t)).radius();
       return new Moment(
-          t, id, line.x(id, t), line.y(id, t), line.vx(id, t), line.vy(id, t), line.radius(id, t));
+          t, id, line.x(id, t), line.y(id, t), line.vx(id, t), line.vy(id, t), radius);
     }
   }
 
@@ -101,8 +102,8 @@ class TimelineTest {
     for (int id : new int[] {-1, 0}) {
       for (double t : new double[] {0.5, 2.5, Double.NaN}) {
         String message = "t is %s: expected a time of the recording, from 1.0 to 2.0".formatted(t);
-        assertThatThrownBy(() -> timeline.line(id, t)).hasMessage(message);
-        assertThatThrownBy(() -> timeline.peg(id, t)).hasMessage(message);
+        assertThatThrownBy(() -> timeline.shape(Kind.LINE, id, t)).hasMessage(message);
+        assertThatThrownBy(() -> timeline.shape(Kind.PEG, id, t)).hasMessage(message);
       }
     }
     for (double duration : new double[] {-1, Double.NaN}) {
@@ -123,7 +124,7 @@ class TimelineTest {
             Scene.builder().collide(collide).line(-9, 0, 9, 0).circle(0, 5, 1, 0, -2).build());
     Timeline first = world.record(9);
     world.step(1);
-    world.stopRecording();
+    first.stop();
     world.step(3);
     assertThat(first.end()).isEqualTo(1);
     assertThat(first.contains(Kind.CIRCLE, 0, 3)).isFalse();
@@ -134,6 +135,55 @@ class TimelineTest {
     assertThat(second.y(0, 5)).isEqualTo(7);
   }
 
+  /** Of two recordings one after the other, the first stopped when the second began. */
+  @Test
+  void toStopARecordingThatEndedDoesNothing() {
+    World world = falling();
+    Timeline first = world.record(9);
+    world.step(1);
+    Timeline second = world.record(9);
+    first.stop();
+    world.step(1);
+    assertThat(first.end()).isEqualTo(1);
+    assertThat(second.end()).isEqualTo(2);
+    second.stop();
+    second.stop();
+    world.step(1);
+    assertThat(second.end()).isEqualTo(2);
+  }
+
+  /** One question for all kinds: what was there, as the world said it then. */
+  @Test
+  void theShapeOfEachKindIsTold() {
+    SceneBuilder scene = Scene.builder().bounds(0, 0, 40, 50).circle(5, 6, 1, 2, 1);
+    scene.line(20, 20, 30, 20).velocity(1, 0).peg(20, 40, 2);
+    World world = new World(scene.build());
+    Timeline timeline = world.record(9);
+    world.step(2);
+    world.setRadius(0, 0.5);
+    world.step(1);
+    assertThat(timeline.shape(Kind.CIRCLE, 0, 1.5)).isEqualTo(new Circle(8, 7.5, 1));
+    assertThat(timeline.shape(Kind.CIRCLE, 0, 2.5)).isEqualTo(new Circle(10, 8.5, 0.5));
+    assertThat(timeline.shape(Kind.LINE, 0, 2.5)).isEqualTo(new Line(22.5, 20, 32.5, 20));
+    assertThat(timeline.shape(Kind.PEG, 0, 2.5)).isEqualTo(new Circle(20, 40, 2));
+    assertThat(timeline.shape(Kind.WALL, 3, 2.5)).isEqualTo(new Bounds(0, 0, 40, 50));
+    assertThatThrownBy(() -> timeline.shape(Kind.WALL, 4, 2.5))
+        .hasMessage("wall 4 is unknown at 2.5: expected one that was there then");
+    assertThatThrownBy(() -> timeline.shape(Kind.CIRCLE, 1, 2.5))
+        .hasMessage("circle 1 is unknown at 2.5: expected one that was there then");
+    assertThatThrownBy(() -> timeline.shape(Kind.CIRCLE, 0, 4)).hasMessageStartingWith("t is 4.0");
+  }
+
+  /** Beyond the doubles there is no disk: the largest place is told. */
+  @Test
+  void theShapeOfACircleFarAwayIsAtTheEdge() {
+    World world = new World(Scene.builder().circle(0, 0, 1, 1e300, 0).build());
+    Timeline timeline = world.record(Double.POSITIVE_INFINITY);
+    world.step(1e10);
+    assertThat(timeline.x(0, 1e10)).isInfinite();
+    assertThat(timeline.shape(Kind.CIRCLE, 0, 1e10)).isEqualTo(new Circle(Double.MAX_VALUE, 0, 1));
+  }
+
   // Lines and pegs.
 
   /** Else new flights would push out the old ones. */
@@ -142,7 +192,7 @@ class TimelineTest {
     World world = new World(Scene.builder().bounds(0, 0, 10, 10).circle(5, 5, 1, 3, 0).build());
     Timeline timeline = world.record(2);
     world.step(0.5);
-    world.stopRecording();
+    timeline.stop();
     world.step(100);
     assertThat(timeline.start()).isZero();
     assertThat(timeline.x(0, 0.5)).isEqualTo(6.5);
@@ -154,23 +204,23 @@ class TimelineTest {
     World world = new World(Scene.builder().line(0, 0, 1, 1).peg(5, 5, 1).peg(7, 7, 2).build());
     Timeline timeline = world.record(9);
     world.step(1);
-    assertThat(timeline.peg(1, 0.5)).isEqualTo(new Circle(7, 7, 2));
+    assertThat(timeline.shape(Kind.PEG, 1, 0.5)).isEqualTo(new Circle(7, 7, 2));
     assertThat(timeline.contains(Kind.PEG, 1, 0.5)).isTrue();
     assertThat(timeline.contains(Kind.PEG, 1, 1.5)).isFalse();
     assertThat(timeline.contains(Kind.WALL, 0, 0.5)).as("no bounds").isFalse();
     assertThat(timeline.contains(Kind.LINE, Codes.limit(KindNumber.LINE), 0.5)).isFalse();
-    assertThatThrownBy(() -> timeline.line(Codes.limit(KindNumber.LINE), 0.5))
+    assertThatThrownBy(() -> timeline.shape(Kind.LINE, Codes.limit(KindNumber.LINE), 0.5))
         .isInstanceOf(IllegalArgumentException.class)
         .hasMessage(
             "line "
                 + Codes.limit(KindNumber.LINE)
                 + " is unknown at 0.5: expected one that was there then");
     assertThat(timeline.contains(Kind.LINE, -1, 0.5)).isFalse();
-    assertThatThrownBy(() -> timeline.line(-1, 0.5))
+    assertThatThrownBy(() -> timeline.shape(Kind.LINE, -1, 0.5))
         .isInstanceOf(IllegalArgumentException.class)
         .hasMessage("line " + -1 + " is unknown at 0.5: expected one that was there then");
     assertThat(timeline.contains(Kind.PEG, -1, 0.5)).isFalse();
-    assertThatThrownBy(() -> timeline.peg(-1, 0.5))
+    assertThatThrownBy(() -> timeline.shape(Kind.PEG, -1, 0.5))
         .isInstanceOf(IllegalArgumentException.class)
         .hasMessage("peg " + -1 + " is unknown at 0.5: expected one that was there then");
   }
@@ -181,7 +231,7 @@ class TimelineTest {
     World world = new World(Scene.builder().bounds(0, 0, 10, 10).circle(5, 5, 1, 4, 0).build());
     Timeline timeline = world.record(2);
     world.step(1.5);
-    world.stopRecording();
+    timeline.stop();
     world.step(20);
     world.setVelocity(0, 1, 0);
     assertThat(timeline.start()).isZero();
@@ -270,17 +320,17 @@ class TimelineTest {
     // The seventh line was removed at time 8.
     assertThat(timeline.start()).isEqualTo(8);
     assertThat(timeline.contains(Kind.LINE, 0, 8)).isFalse();
-    assertThatThrownBy(() -> timeline.line(0, 8))
+    assertThatThrownBy(() -> timeline.shape(Kind.LINE, 0, 8))
         .isInstanceOf(IllegalArgumentException.class)
         .hasMessage("line " + 0 + " is unknown at 8.0: expected one that was there then");
     assertThat(timeline.contains(Kind.LINE, 7, 8)).isFalse();
-    assertThatThrownBy(() -> timeline.line(7, 8))
+    assertThatThrownBy(() -> timeline.shape(Kind.LINE, 7, 8))
         .isInstanceOf(IllegalArgumentException.class)
         .hasMessage("line " + 7 + " is unknown at 8.0: expected one that was there then");
-    assertThat(timeline.line(8, 8)).isEqualTo(new Line(0, 8, 1, 8));
-    assertThat(timeline.line(9, 9.5)).isEqualTo(new Line(0, 9, 1, 9));
-    assertThat(timeline.peg(0, 11)).isEqualTo(new Circle(5, 5, 1));
-    assertThatThrownBy(() -> timeline.line(6, 7.5)).hasMessageContaining("from 8.0");
+    assertThat(timeline.shape(Kind.LINE, 8, 8)).isEqualTo(new Line(0, 8, 1, 8));
+    assertThat(timeline.shape(Kind.LINE, 9, 9.5)).isEqualTo(new Line(0, 9, 1, 9));
+    assertThat(timeline.shape(Kind.PEG, 0, 11)).isEqualTo(new Circle(5, 5, 1));
+    assertThatThrownBy(() -> timeline.shape(Kind.LINE, 6, 7.5)).hasMessageContaining("from 8.0");
   }
 
   /** A line is some 50 bytes in the world, and was 200 more in its recording. */

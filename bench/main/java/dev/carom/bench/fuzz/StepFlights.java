@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 package dev.carom.bench.fuzz;
 
+import dev.carom.Circle;
 import dev.carom.ImpactLog;
 import dev.carom.Kind;
 import dev.carom.Outcome;
@@ -145,7 +146,7 @@ final class StepFlights {
     double vy = timeline.vy(i, from);
     return new Flight(
         i,
-        timeline.radius(i, from),
+        ((Circle) timeline.shape(Kind.CIRCLE, i, from)).radius(),
         from,
         to,
         timeline.x(i, from),

@@ -115,7 +115,7 @@ public class EditBenchmark {
       pastOfGas = gas.record(1000);
       alone.step(50);
       gas.step(PAST);
-      gas.stopRecording();
+      pastOfGas.stop();
       ofAlone = alone.snapshot();
       ofGas = gas.snapshot();
       ByteArrayOutputStream out = new ByteArrayOutputStream();
