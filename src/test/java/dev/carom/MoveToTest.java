@@ -313,7 +313,7 @@ class MoveToTest {
       finish(world, (frame + 1) / 10.0);
     }
     for (int frame = 60; frame >= 0; frame--) {
-      assertThat(past.line(0, frame / 10.0)).isEqualTo(lines.get(frame));
+      assertThat(past.shape(Kind.LINE, 0, frame / 10.0)).isEqualTo(lines.get(frame));
       assertThat(past.x(2, frame / 10.0)).isEqualTo(places.get(frame));
     }
     World again = new World(world.scene());
