@@ -3,7 +3,7 @@ package dev.carom;
 
 import dev.carom.internal.sweep.Fall;
 import dev.carom.internal.sweep.FallSweep;
-import dev.carom.internal.exact.ExactTime;
+import dev.carom.internal.exact.RealRoot;
 import dev.carom.internal.exact.RealRoot;
 import dev.carom.internal.state.MovingCircle;
 import dev.carom.internal.sweep.Contact;
@@ -74,9 +74,9 @@ final class CircleCast {
    * Tells of two walls with equal rounded times whether the horizontal one is exactly earlier.
    */
   private static boolean isEarlierInY(Circle circle, Vec2 v, double wallX, double wallY) {
-    ExactTime tx = WallSweep.exactTime(circle.x(), circle.radius(), v.x(), wallX);
-    ExactTime ty = WallSweep.exactTime(circle.y(), circle.radius(), v.y(), wallY);
-    return ty.compare(tx) < 0;
+    RealRoot tx = WallSweep.exactTime(circle.x(), circle.radius(), v.x(), wallX);
+    RealRoot ty = WallSweep.exactTime(circle.y(), circle.radius(), v.y(), wallY);
+    return ty.order(tx) < 0;
   }
 
   /** Disk 1 against disk 2, which is reported as one of the given kind. */
