@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 package dev.carom;
 
+import dev.carom.internal.sweep.Contact;
+import dev.carom.internal.sweep.Hit;
 import dev.carom.internal.util.Check;
 
 /**
@@ -54,6 +56,24 @@ public record Impact(
 
   /** The id in an answer of the detector alone, which knows no ids, and of a circle of no world. */
   static final int NO_ID = -1;
+
+  /** The answer of a cast: an impact of no circle of a world, at a time from now. */
+  static Impact of(double t, Kind kind, int id, int contact, Hit hit, boolean halts) {
+    return new Impact(
+        t,
+        NO_ID,
+        kind,
+        id,
+        0,
+        kind == Kind.WALL ? Feature.SIDE : Feature.of(Contact.part(contact)),
+        hit.x(),
+        hit.y(),
+        hit.nx(),
+        hit.ny(),
+        hit.approachSpeed(),
+        0,
+        halts ? Outcome.HALTED : Outcome.BOUNCED);
+  }
 
   /**
    * Returns the contact point.

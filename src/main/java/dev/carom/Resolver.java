@@ -34,8 +34,8 @@ import java.util.function.IntFunction;
  * System.out.println(path.at(4.5)); // Vec2[x=23.5, y=2.0]
  * }</pre>
  *
- * <p>For circles that meet each other, {@link SweptCircle#pair SweptCircle.pair} gives the time,
- * and {@link #respond respond} the velocities afterwards.
+ * <p>For circles that meet each other, {@link SweptCircle#timeToCircle} gives the time, and {@link
+ * #respond respond} the velocities afterwards.
  *
  * <p>Impacts are those of {@link SweptCircle}. Among simultaneous ones walls come first, then
  * lines, then pegs, each in their order. {@link #cast cast} compares times exactly; {@link #trace
@@ -158,7 +158,7 @@ public final class Resolver {
     Check.notNegative("restitution", restitution);
     Check.notNegative("duration", duration);
     Check.notNegative("impacts", impacts);
-    MovingCircle body = CircleCast.body(circle, velocity, restitution);
+    MovingCircle body = new SweptCircle(circle, velocity).body(restitution);
     index.expect(1);
     TracedPath path = new Tracer(index, gravity).trace(body, duration, impacts, IMPACTS_PER_TRACE);
     return Trajectory.of(path);
@@ -183,7 +183,7 @@ public final class Resolver {
     Check.notNull("velocity", velocity);
     Check.duration("maxTime", maxTime);
     index.expect(1);
-    MovingCircle body = CircleCast.body(circle, velocity, 1);
+    MovingCircle body = new SweptCircle(circle, velocity).body(1);
     Tracer tracer = new Tracer(index);
     tracer.first(body, maxTime);
     if (body.next == MovingCircle.NOTHING) {
@@ -192,7 +192,8 @@ public final class Resolver {
     int code = body.next;
     Kind kind = Kind.of(Codes.kind(code));
     boolean halts = index.obstacles.halts(code);
-    return Optional.of(CircleCast.impact(body, tracer.hit(body), kind, Codes.index(code), halts));
+    int id = Codes.index(code);
+    return Optional.of(Impact.of(body.cleared, kind, id, body.contact, tracer.hit(body), halts));
   }
 
   /**
@@ -309,7 +310,8 @@ public final class Resolver {
    * <pre>{@code
    * // Circles of radius 5: the first comes at 4 a second, the second rests 20 to the right.
    * double[] v = {4, 0, 0, 0};
-   * double t = SweptCircle.pair(0, 0, 5, v[0], v[1], 20, 0, 5, v[2], v[3], 10);
+   * SweptCircle first = new SweptCircle(0, 0, 5, v[0], v[1]);
+   * double t = first.timeToCircle(new SweptCircle(20, 0, 5, v[2], v[3]), 10);
    * double x1 = 0 + v[0] * t;
    * double x2 = 20 + v[2] * t;
    * Resolver.respond(x1, 0, 1, x2, 0, 3, 1, v);

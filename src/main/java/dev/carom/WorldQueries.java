@@ -15,6 +15,7 @@ import dev.carom.internal.state.FilterBits;
 import dev.carom.internal.state.Gravity;
 import dev.carom.internal.state.MovingCircle;
 import dev.carom.internal.state.ObstacleTable;
+import dev.carom.internal.sweep.Hit;
 import dev.carom.internal.util.Index;
 import java.util.Arrays;
 import java.util.Optional;
@@ -50,7 +51,7 @@ final class WorldQueries {
   }
 
   Optional<Impact> cast(Circle circle, Vec2 velocity, double maxTime, double now, long filter) {
-    MovingCircle body = CircleCast.body(circle, velocity, 1);
+    MovingCircle body = new SweptCircle(circle, velocity).body(1);
     body.filter = filter;
     Tracer tracer = tracer(1, now);
     obstacles.beginQuestion(now);
@@ -112,11 +113,14 @@ final class WorldQueries {
     if (!Codes.isCircle(code)) {
       Kind kind = Kind.of(Codes.kind(code));
       boolean halts = obstacles.halts(code);
-      return CircleCast.impact(first, tracer.hit(first), kind, Codes.index(code), halts);
+      int id = Codes.index(code);
+      return Impact.of(first.cleared, kind, id, first.contact, tracer.hit(first), halts);
     }
     int slot = Codes.slot(code);
     int id = registry.id(slot);
-    return CircleCast.impact(first, queries.hit(first, now), Kind.CIRCLE, id, registry.halts(slot));
+    boolean halts = registry.halts(slot);
+    Hit hit = queries.hit(first, now);
+    return Impact.of(first.cleared, Kind.CIRCLE, id, first.contact, hit, halts);
   }
 
   Trajectory trace(
@@ -128,7 +132,7 @@ final class WorldQueries {
       long filter,
       double now) {
     index.expect(1);
-    MovingCircle body = CircleCast.body(circle, velocity, restitution);
+    MovingCircle body = new SweptCircle(circle, velocity).body(restitution);
     body.filter = filter;
     obstacles.beginQuestion(now);
     try {

@@ -33,7 +33,7 @@
  *       meets a NaN in one.
  *   <li>Detector: {@link dev.carom.SweptCircle} tells when a moving circle hits an obstacle or
  *       another circle. One form of each question takes and returns doubles, {@code +infinity} for
- *       never. The other takes records and returns an {@link dev.carom.Impact}, with the {@link
+ *       never. The other takes a record and returns an {@link dev.carom.Impact}, with the {@link
  *       dev.carom.Kind} and the {@link dev.carom.Feature} that was hit. {@link
  *       dev.carom.SweptSphere} answers for two spheres in space.
  *   <li>Resolver: {@link dev.carom.Resolver} follows one circle through given obstacles for a given
@@ -56,7 +56,7 @@
  *
  * Circle circle = new Circle(-15, 4, 5);
  * Vec2 velocity = new Vec2(20, 0);
- * System.out.println(SweptCircle.cast(circle, velocity, line, 1).get().time()); // 0.5
+ * System.out.println(new SweptCircle(circle, velocity).cast(line, 1).get().time()); // 0.5
  *
  * Trajectory path = Resolver.of(List.of(line)).trace(circle, velocity, 1);
  * System.out.println(path.end()); // Vec2[x=-15.0, y=4.0]

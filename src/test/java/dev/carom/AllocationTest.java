@@ -3,8 +3,12 @@ package dev.carom;
 
 import static org.assertj.core.api.Assertions.assertThat;
 
+import java.util.Arrays;
+import java.util.List;
 import java.util.Map;
+import java.util.Optional;
 import java.util.Random;
+import java.util.function.Supplier;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
@@ -18,6 +22,10 @@ class AllocationTest {
 
   /** One ulp more than the radius away: plain doubles leave open whether that touches. */
   private static final double TOUCHING = Math.nextUp(1.0);
+
+  /** Where the last answer of many goes, for nobody to read. */
+  @SuppressWarnings("UnusedVariable")
+  private volatile Optional<Impact> answer;
 
   @ParameterizedTest
   @ValueSource(strings = {"base-1.csv", "base-2.csv", "base-3.csv", "fast-1.csv", "radii.csv"})
@@ -36,16 +44,28 @@ class AllocationTest {
   /** The first two rungs: plain doubles, and a tie to 2e-16 that double-double decides. */
   @Test
   void queriesAllocateNothing() throws ReflectiveOperationException {
+    SweptCircle[] down = new SweptCircle[12];
+    Arrays.setAll(down, i -> new SweptCircle(5, 7 + i, 1, 0.25, -1));
+    SweptCircle[] falling = new SweptCircle[12];
+    Arrays.setAll(falling, i -> new SweptCircle(5, 7 + i, 1, 0.25, 2, 0, -1));
+    SweptCircle[] others = new SweptCircle[100];
+    Arrays.setAll(others, i -> new SweptCircle(9 + i, 0, 2, 0, 0));
+    SweptCircle first = new SweptCircle(0, 0, 1, 1, 0.01);
+    SweptCircle firstFalling = first.withAcceleration(0, -1);
+    SweptCircle touching = new SweptCircle(5, TOUCHING, 1, 0, 1);
     Runnable queries =
         () -> {
           for (int i = 0; i < 20_000; i++) {
-            sum += SweptCircle.line(5, 7 + i % 12, 1, 0.25, -1, 0, 0, 10, 0, 1e6);
-            sum += SweptCircle.pair(0, 0, 1, 1, 0.01, 9 + i % 100, 0, 2, 0, 0, 1e6);
-            sum += SweptCircle.line(5, TOUCHING, 1, 0, 1, 0, 0, 10, 0, 1) > 0 ? 1 : 0;
-            sum += SweptCircle.peg(0, TOUCHING, 1, 1, 1, 0, 0, 0, 1) > 0 ? 1 : 0;
-            sum += SweptCircle.line(5, 7 + i % 12, 1, 0.25, 2, 0, -1, 0, 0, 10, 0, 1e6);
-            sum += SweptCircle.peg(0, 0, 1, 1, 0.01, 0, -1, 9 + i % 100, -5, 2, 1e6) > 0 ? 1 : 0;
-            sum += SweptCircle.bounds(5, 7 + i % 12, 1, 0.25, 2, 0, -1, 0, 0, 10, 30, 1e6);
+            sum += down[i % 12].timeToLine(0, 0, 10, 0, 1e6);
+            sum += down[i % 12].timeToBounds(0, 0, 10, 30, 1e6);
+            sum += down[i % 12].timeToPeg(6, 0, 2, 1e6) > 0 ? 1 : 0;
+            sum += first.timeToCircle(others[i % 100], 1e6);
+            sum += touching.timeToLine(0, 0, 10, 0, 1) > 0 ? 1 : 0;
+            sum += touching.timeToPeg(5, 0, 0, 1) > 0 ? 1 : 0;
+            sum += falling[i % 12].timeToLine(0, 0, 10, 0, 1e6);
+            sum += falling[i % 12].timeToBounds(0, 0, 10, 30, 1e6);
+            sum += firstFalling.timeToPeg(9 + i % 100, -5, 2, 1e6) > 0 ? 1 : 0;
+            sum += firstFalling.timeToCircle(others[i % 100], 1e6) > 0 ? 1 : 0;
             sum += SweptSphere.pair(0, 0, 0, 1, 1, 0, 0, 9 + i % 100, 0, 1, 2, 0, 0, 0, 1e6);
             sum += SweptSphere.pair(0, 0, TOUCHING, 1, 1, 1, 1, 0, 0, 0, 0, 0, 0, 0, 1) > 0 ? 1 : 0;
           }
@@ -56,6 +76,63 @@ class AllocationTest {
     Meter meter = new Meter();
     assertThat(measured(meter, queries)).isEqualTo(measured(meter, () -> {}));
     assertThat(sum).isFinite();
+  }
+
+  /** A cast allocates its answer; one that misses, nothing. */
+  @Test
+  void castsAllocateNoMoreThanTheirAnswers() throws ReflectiveOperationException {
+    Line line = new Line(0, 0, 10, 0);
+    Circle peg = new Circle(5, 0, 1);
+    Bounds bounds = new Bounds(0, 0, 10, 30);
+    SweptCircle other = new SweptCircle(peg, Vec2.ZERO);
+    SweptCircle straight = new SweptCircle(5.1, 7, 1, 0.25, -1);
+    for (SweptCircle circle : List.of(straight, straight.withAcceleration(0, -1))) {
+      List<Supplier<Optional<Impact>>> casts =
+          List.of(
+              () -> circle.cast(line, 1e6),
+              () -> circle.cast(line, Vec2.ZERO, 1e6),
+              () -> circle.cast(peg, 1e6),
+              () -> circle.cast(bounds, 1e6),
+              () -> circle.cast(other, 1e6));
+      for (int k = 0; k < casts.size(); k++) {
+        Supplier<Optional<Impact>> cast = casts.get(k);
+        Impact impact = cast.get().orElseThrow();
+        long answer = ofMany(() -> Optional.of(copy(impact)));
+        assertThat(ofMany(cast)).as("cast %s of %s", k, circle).isLessThanOrEqualTo(answer);
+      }
+      assertThat(ofMany(() -> circle.cast(line, 1))).isEqualTo(ofMany(Optional::empty));
+    }
+  }
+
+  private static Impact copy(Impact i) {
+    return new Impact(
+        i.time(),
+        i.circle(),
+        i.kind(),
+        i.id(),
+        i.part(),
+        i.feature(),
+        i.x(),
+        i.y(),
+        i.nx(),
+        i.ny(),
+        i.approachSpeed(),
+        i.impulse(),
+        i.outcome());
+  }
+
+  /** The bytes of 20,000 answers, after many. */
+  private long ofMany(Supplier<Optional<Impact>> cast) throws ReflectiveOperationException {
+    Runnable many =
+        () -> {
+          for (int i = 0; i < 20_000; i++) {
+            answer = cast.get();
+          }
+        };
+    for (int i = 0; i < 20; i++) {
+      many.run();
+    }
+    return measured(new Meter(), many);
   }
 
   /** Velocities set before each frame, sensors on the way, circles that collide or do not. */

@@ -38,8 +38,7 @@ class ArchitectureTest {
 
   private static final String GEOMETRY = "Vec2 Obstacle Circle Line Bounds PublicRecords";
 
-  private static final String DETECTOR =
-      " SweptCircle SweptSphere CircleCast Impact Outcome Kind Feature";
+  private static final String DETECTOR = " SweptCircle SweptSphere Impact Outcome Kind Feature";
 
   private static final String RESOLVER = " Filter Resolver Casts Trajectory ImpactLog Flight";
 

@@ -83,8 +83,8 @@ class ExactnessTest {
     @Override
     public Answer line(SegmentQuery q) {
       double time =
-          SweptCircle.line(
-              q.px(), q.py(), q.r(), q.vx(), q.vy(), q.ax(), q.ay(), q.bx(), q.by(), q.end());
+          new SweptCircle(q.px(), q.py(), q.r(), q.vx(), q.vy())
+              .timeToLine(q.ax(), q.ay(), q.bx(), q.by(), q.end());
       Line line = new Line(q.ax(), q.ay(), q.bx(), q.by());
       return answer(time, cast(q.px(), q.py(), q.r(), q.vx(), q.vy(), line, q.end()));
     }
@@ -92,26 +92,25 @@ class ExactnessTest {
     @Override
     public Answer movingLine(MovingLineQuery q) {
       double time =
-          SweptCircle.movingLine(
-              q.px(), q.py(), q.r(), q.vx(), q.vy(), q.ax(), q.ay(), q.bx(), q.by(), q.ux(), q.uy(),
-              q.end());
+          new SweptCircle(q.px(), q.py(), q.r(), q.vx(), q.vy())
+              .timeToLine(q.ax(), q.ay(), q.bx(), q.by(), q.ux(), q.uy(), q.end());
       Line line = new Line(q.ax(), q.ay(), q.bx(), q.by());
       Circle circle = new Circle(q.px(), q.py(), q.r());
       Vec2 u = new Vec2(q.ux(), q.uy());
-      return answer(time, SweptCircle.cast(circle, new Vec2(q.vx(), q.vy()), line, u, q.end()));
+      return answer(time, new SweptCircle(circle, new Vec2(q.vx(), q.vy())).cast(line, u, q.end()));
     }
 
     @Override
     public Answer pair(PairQuery q) {
       double time =
-          SweptCircle.pair(
-              q.x1(), q.y1(), q.r1(), q.vx1(), q.vy1(), q.x2(), q.y2(), q.r2(), q.vx2(), q.vy2(),
-              q.end());
+          new SweptCircle(q.x1(), q.y1(), q.r1(), q.vx1(), q.vy1())
+              .timeToCircle(new SweptCircle(q.x2(), q.y2(), q.r2(), q.vx2(), q.vy2()), q.end());
       Circle first = new Circle(q.x1(), q.y1(), q.r1());
       Circle second = new Circle(q.x2(), q.y2(), q.r2());
       Vec2 v1 = new Vec2(q.vx1(), q.vy1());
       Vec2 v2 = new Vec2(q.vx2(), q.vy2());
-      Answer answer = answer(time, SweptCircle.cast(first, v1, second, v2, q.end()));
+      Answer answer =
+          answer(time, new SweptCircle(first, v1).cast(new SweptCircle(second, v2), q.end()));
       if (q.isPeg()) {
         assertEquals(answer, peg(q, second), "the second circle at rest is a peg");
       }
@@ -120,24 +119,23 @@ class ExactnessTest {
 
     private static Answer peg(PairQuery q, Circle peg) {
       double time =
-          SweptCircle.peg(
-              q.x1(), q.y1(), q.r1(), q.vx1(), q.vy1(), q.x2(), q.y2(), q.r2(), q.end());
+          new SweptCircle(q.x1(), q.y1(), q.r1(), q.vx1(), q.vy1())
+              .timeToPeg(q.x2(), q.y2(), q.r2(), q.end());
       return answer(time, cast(q.x1(), q.y1(), q.r1(), q.vx1(), q.vy1(), peg, q.end()));
     }
 
     @Override
     public Answer bounds(WallQuery q) {
       double time =
-          SweptCircle.bounds(
-              q.px(), q.py(), q.r(), q.vx(), q.vy(), q.xmin(), q.ymin(), q.xmax(), q.ymax(),
-              q.end());
+          new SweptCircle(q.px(), q.py(), q.r(), q.vx(), q.vy())
+              .timeToBounds(q.xmin(), q.ymin(), q.xmax(), q.ymax(), q.end());
       Bounds bounds = new Bounds(q.xmin(), q.ymin(), q.xmax(), q.ymax());
       return answer(time, cast(q.px(), q.py(), q.r(), q.vx(), q.vy(), bounds, q.end()));
     }
 
     private static Optional<Impact> cast(
         double px, double py, double r, double vx, double vy, Obstacle obstacle, double end) {
-      return SweptCircle.cast(new Circle(px, py, r), new Vec2(vx, vy), obstacle, end);
+      return new SweptCircle(px, py, r, vx, vy).cast(obstacle, end);
     }
 
     private static Answer answer(double time, Optional<Impact> impact) {

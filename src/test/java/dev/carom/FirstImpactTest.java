@@ -78,12 +78,12 @@ class FirstImpactTest {
     int id = first.id();
     Optional<Impact> impact =
         switch (first.kind()) {
-          case WALL -> SweptCircle.cast(scene.circle, scene.v, scene.bounds, NEVER);
-          case LINE -> SweptCircle.cast(scene.circle, scene.v, scene.lines.get(id), NEVER);
-          case PEG -> SweptCircle.cast(scene.circle, scene.v, scene.pegs.get(id), NEVER);
+          case WALL -> new SweptCircle(scene.circle, scene.v).cast(scene.bounds, NEVER);
+          case LINE -> new SweptCircle(scene.circle, scene.v).cast(scene.lines.get(id), NEVER);
+          case PEG -> new SweptCircle(scene.circle, scene.v).cast(scene.pegs.get(id), NEVER);
           default ->
-              SweptCircle.cast(
-                  scene.circle, scene.v, scene.circles.get(id), scene.velocities.get(id), NEVER);
+              new SweptCircle(scene.circle, scene.v)
+                  .cast(new SweptCircle(scene.circles.get(id), scene.velocities.get(id)), NEVER);
         };
     assertThat(impact.orElseThrow().time()).isEqualTo(first.contact().time());
     return WorldQueriesTest.named(impact.get(), first.kind(), id);

@@ -18,7 +18,9 @@ class LevelPathTest {
 
   /** Steps on until a circle that flies to the right has passed all of it. */
   private static void assertHit(double px, double py, double r, double vx, Line line) {
-    assertThat(SweptCircle.line(px, py, r, vx, 0, line.ax(), line.ay(), line.bx(), line.by(), 99))
+    assertThat(
+            new SweptCircle(px, py, r, vx, 0)
+                .timeToLine(line.ax(), line.ay(), line.bx(), line.by(), 99))
         .isLessThan(99);
     SceneBuilder scene = Scene.builder().line(line.ax(), line.ay(), line.bx(), line.by());
     World world = new World(scene.circle(px, py, r, vx, 0).build());

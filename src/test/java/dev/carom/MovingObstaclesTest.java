@@ -334,13 +334,13 @@ class MovingObstaclesTest {
   void anImpactIsWhereTheObstacleIsThen() {
     Circle circle = new Circle(22, 0, 1);
     Line line = new Line(12, -10, 12, 10);
-    Impact ofLine = SweptCircle.cast(circle, Vec2.ZERO, line, new Vec2(3, 0), 10).orElseThrow();
+    SweptCircle resting = new SweptCircle(circle, Vec2.ZERO);
+    Impact ofLine = resting.cast(line, new Vec2(3, 0), 10).orElseThrow();
     assertThat(ofLine.point()).isEqualTo(new Vec2(21, 0));
-    Circle other = new Circle(12, 0, 1);
-    Impact ofCircle = SweptCircle.cast(circle, Vec2.ZERO, other, new Vec2(4, 0), 10).orElseThrow();
+    SweptCircle other = new SweptCircle(12, 0, 1, 4, 0);
+    Impact ofCircle = resting.cast(other, 10).orElseThrow();
     assertThat(ofCircle.point()).isEqualTo(new Vec2(21, 0));
-    Vec2 gravity = new Vec2(0, -1);
-    assertThat(SweptCircle.cast(circle, Vec2.ZERO, gravity, other, new Vec2(4, 0), 10)).isEmpty();
+    assertThat(resting.withAcceleration(0, -1).cast(other, 10)).isEmpty();
     SceneBuilder scene = Scene.builder().collide(true).circle(12, 0, 1, 4, 0);
     Impact ofWorld = world(scene).cast(circle, Vec2.ZERO, 10).orElseThrow();
     assertThat(ofWorld.point()).isEqualTo(new Vec2(21, 0));

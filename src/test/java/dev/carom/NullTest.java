@@ -25,11 +25,12 @@ class NullTest {
   private static final Circle CIRCLE = new Circle(1, 2, 3);
   private static final Line LINE = new Line(1, 2, 3, 4);
   private static final Vec2 V = new Vec2(1, 2);
+  private static final SweptCircle MOVING = new SweptCircle(CIRCLE, V);
   private static final Scene EMPTY = Scene.builder().build();
   private static final Resolver RESOLVER = EMPTY.resolver();
   private static final World WORLD = new World(EMPTY);
   private static final Impact HIT =
-      SweptCircle.cast(CIRCLE, new Vec2(5, 5), new Line(9, 9, 20, 20), 9).orElseThrow();
+      new SweptCircle(CIRCLE, new Vec2(5, 5)).cast(new Line(9, 9, 20, 20), 9).orElseThrow();
   private static final World BOX = new World(Scene.builder().bounds(0, 0, 1, 1).build());
 
   static Stream<Arguments> calls() {
@@ -38,22 +39,13 @@ class NullTest {
 
   private static List<Arguments> questions() {
     return List.of(
-        call("circle", () -> SweptCircle.cast(null, V, LINE, 1)),
-        call("velocity", () -> SweptCircle.cast(CIRCLE, null, LINE, 1)),
-        call("obstacle", () -> SweptCircle.cast(CIRCLE, V, null, 1)),
-        call("v2", () -> SweptCircle.cast(CIRCLE, V, CIRCLE, null, 1)),
-        call("first", () -> SweptCircle.cast(null, V, CIRCLE, V, 1)),
-        call("v1", () -> SweptCircle.cast(CIRCLE, null, CIRCLE, V, 1)),
-        call("second", () -> SweptCircle.cast(CIRCLE, V, (Circle) null, V, 1)),
-        call("circle", () -> SweptCircle.cast(null, V, V, LINE, 1)),
-        call("velocity", () -> SweptCircle.cast(CIRCLE, null, V, LINE, 1)),
-        call("acceleration", () -> SweptCircle.cast(CIRCLE, V, null, LINE, 1)),
-        call("obstacle", () -> SweptCircle.cast(CIRCLE, V, V, null, 1)),
-        call("first", () -> SweptCircle.cast(null, V, V, CIRCLE, V, 1)),
-        call("v1", () -> SweptCircle.cast(CIRCLE, null, V, CIRCLE, V, 1)),
-        call("acceleration", () -> SweptCircle.cast(CIRCLE, V, null, CIRCLE, V, 1)),
-        call("second", () -> SweptCircle.cast(CIRCLE, V, V, null, V, 1)),
-        call("v2", () -> SweptCircle.cast(CIRCLE, V, V, CIRCLE, null, 1)),
+        call("circle", () -> new SweptCircle(null, V)),
+        call("velocity", () -> new SweptCircle(CIRCLE, null)),
+        call("obstacle", () -> MOVING.cast((Obstacle) null, 1)),
+        call("other", () -> MOVING.cast((SweptCircle) null, 1)),
+        call("line", () -> MOVING.cast(null, V, 1)),
+        call("lineVelocity", () -> MOVING.cast(LINE, null, 1)),
+        call("other", () -> MOVING.timeToCircle(null, 1)),
         call("other", () -> CIRCLE.overlaps(null)),
         call("other", () -> CIRCLE.separation(null)),
         call("velocities", () -> SweptSphere.respond(0, 0, 0, 1, 1, 1, 1, 1, 1, null)),

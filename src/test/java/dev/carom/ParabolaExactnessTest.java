@@ -159,44 +159,28 @@ class ParabolaExactnessTest {
   }
 
   private static Answer line(SegmentQuery q, Vec2 g) {
-    double time =
-        SweptCircle.line(
-            q.px(), q.py(), q.r(), q.vx(), q.vy(), g.x(), g.y(), q.ax(), q.ay(), q.bx(), q.by(),
-            q.end());
-    Line line = new Line(q.ax(), q.ay(), q.bx(), q.by());
-    Circle circle = new Circle(q.px(), q.py(), q.r());
-    return answer(time, SweptCircle.cast(circle, new Vec2(q.vx(), q.vy()), g, line, q.end()));
+    SweptCircle circle = new SweptCircle(q.px(), q.py(), q.r(), q.vx(), q.vy(), g.x(), g.y());
+    double time = circle.timeToLine(q.ax(), q.ay(), q.bx(), q.by(), q.end());
+    return answer(time, circle.cast(new Line(q.ax(), q.ay(), q.bx(), q.by()), q.end()));
   }
 
   private static Answer pair(PairQuery q, Vec2 g) {
-    double time =
-        SweptCircle.pair(
-            q.x1(), q.y1(), q.r1(), q.vx1(), q.vy1(), g.x(), g.y(), q.x2(), q.y2(), q.r2(), q.vx2(),
-            q.vy2(), q.end());
-    Circle first = new Circle(q.x1(), q.y1(), q.r1());
-    Circle second = new Circle(q.x2(), q.y2(), q.r2());
-    Vec2 v1 = new Vec2(q.vx1(), q.vy1());
-    Vec2 v2 = new Vec2(q.vx2(), q.vy2());
-    Answer answer = answer(time, SweptCircle.cast(first, v1, g, second, v2, q.end()));
+    SweptCircle first = new SweptCircle(q.x1(), q.y1(), q.r1(), q.vx1(), q.vy1(), g.x(), g.y());
+    SweptCircle second = new SweptCircle(q.x2(), q.y2(), q.r2(), q.vx2(), q.vy2());
+    Answer answer = answer(first.timeToCircle(second, q.end()), first.cast(second, q.end()));
     if (q.isPeg()) {
-      double peg =
-          SweptCircle.peg(
-              q.x1(), q.y1(), q.r1(), q.vx1(), q.vy1(), g.x(), g.y(), q.x2(), q.y2(), q.r2(),
-              q.end());
-      Answer same = answer(peg, SweptCircle.cast(first, v1, g, second, q.end()));
+      double peg = first.timeToPeg(q.x2(), q.y2(), q.r2(), q.end());
+      Answer same = answer(peg, first.cast(second.at(0), q.end()));
       assertEquals(answer, same, "the second circle at rest is a peg");
     }
     return answer;
   }
 
   private static Answer bounds(WallQuery q, Vec2 g) {
-    double time =
-        SweptCircle.bounds(
-            q.px(), q.py(), q.r(), q.vx(), q.vy(), g.x(), g.y(), q.xmin(), q.ymin(), q.xmax(),
-            q.ymax(), q.end());
+    SweptCircle circle = new SweptCircle(q.px(), q.py(), q.r(), q.vx(), q.vy(), g.x(), g.y());
+    double time = circle.timeToBounds(q.xmin(), q.ymin(), q.xmax(), q.ymax(), q.end());
     Bounds bounds = new Bounds(q.xmin(), q.ymin(), q.xmax(), q.ymax());
-    Circle circle = new Circle(q.px(), q.py(), q.r());
-    return answer(time, SweptCircle.cast(circle, new Vec2(q.vx(), q.vy()), g, bounds, q.end()));
+    return answer(time, circle.cast(bounds, q.end()));
   }
 
   private static Answer answer(double time, Optional<Impact> impact) {

@@ -25,7 +25,8 @@ class PassedLinesTest {
       // Ends on a lattice are often exactly beside the start, or where the circle touches.
       Line line = new Line(place(6), place(6), place(6), place(6));
       double t =
-          SweptCircle.line(p[0], p[1], r, vx, vy, line.ax(), line.ay(), line.bx(), line.by(), END);
+          new SweptCircle(p[0], p[1], r, vx, vy)
+              .timeToLine(line.ax(), line.ay(), line.bx(), line.by(), END);
       SceneBuilder scene = Scene.builder().line(line.ax(), line.ay(), line.bx(), line.by());
       World world = new World(scene.circle(p[0], p[1], r, vx, vy).build());
       world.step(END);

@@ -4,6 +4,8 @@ package dev.carom;
 import dev.carom.internal.sweep.Contact;
 import dev.carom.internal.sweep.DiskSweep;
 import dev.carom.internal.sweep.SegmentSweep;
+import dev.carom.internal.sweep.SphereSweep;
+import dev.carom.internal.sweep.WallSweep;
 import dev.carom.oracle.MovingLineQuery;
 import dev.carom.oracle.PairQuery;
 import dev.carom.oracle.Part;
@@ -26,7 +28,7 @@ final class PatchedDetector {
   private final MethodHandle lineTime;
   private final MethodHandle pairContact;
   private final MethodHandle pairTime;
-  private final MethodHandle bounds;
+  private final MethodHandle wallTime;
   private final MethodHandle sphereTime;
 
   /**
@@ -45,8 +47,8 @@ final class PatchedDetector {
     lineTime = handle(classes, SegmentSweep.class, "time", 12, 12);
     pairContact = handle(classes, DiskSweep.class, "contact", 10, 11);
     pairTime = handle(classes, DiskSweep.class, "time", 11, 11);
-    bounds = handle(classes, SweptCircle.class, "bounds", 10, 10);
-    sphereTime = handle(classes, SweptSphere.class, "pair", 15, 15);
+    wallTime = handle(classes, WallSweep.class, "time", 5, 5);
+    sphereTime = handle(classes, SphereSweep.class, "time", 15, 15);
   }
 
   /** The detector with one bound scaled down: 1 for none, 0 to remove it. */
@@ -88,7 +90,7 @@ final class PatchedDetector {
     double[] arguments = arguments(query);
     try {
       if (query instanceof WallQuery) {
-        return reply(Part.SIDE, (double) bounds.invokeExact(arguments));
+        return reply(Part.SIDE, wallTime(arguments));
       }
       boolean pair = query instanceof PairQuery;
       int contact = (int) (pair ? pairContact : lineContact).invokeExact(arguments);
@@ -104,6 +106,13 @@ final class PatchedDetector {
     } catch (Throwable e) {
       throw new IllegalStateException(e);
     }
+  }
+
+  /** The first of the times at which a disk meets the walls that it moves towards. */
+  private double wallTime(double[] n) throws Throwable {
+    double[] inX = {n[0], n[2], n[3], n[3] < 0 ? n[5] : n[7], n[9]};
+    double[] inY = {n[1], n[2], n[4], n[4] < 0 ? n[6] : n[8], n[9]};
+    return Math.min((double) wallTime.invokeExact(inX), (double) wallTime.invokeExact(inY));
   }
 
   /** The time of impact of two spheres; NaN for no answer at all, as above. */
@@ -147,16 +156,14 @@ final class PatchedDetector {
     }
   }
 
-  private static Method find(Class<?> owner, String name, int doubles)
-      throws NoSuchMethodException {
-    Class<?>[] types = new Class<?>[doubles];
-    Arrays.fill(types, double.class);
-    if (!name.equals("time")) {
-      return owner.getDeclaredMethod(name, types);
-    }
-    Class<?>[] more = new Class<?>[doubles + 1];
-    System.arraycopy(types, 0, more, 1, doubles);
-    more[0] = int.class;
-    return owner.getDeclaredMethod(name, more);
+  private static Method find(Class<?> owner, String name, int doubles) {
+    return Arrays.stream(owner.getDeclaredMethods())
+        .filter(method -> method.getName().equals(name))
+        .filter(
+            method ->
+                Arrays.stream(method.getParameterTypes()).filter(double.class::equals).count()
+                    == doubles)
+        .findFirst()
+        .orElseThrow();
   }
 }

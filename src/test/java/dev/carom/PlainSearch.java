@@ -130,10 +130,11 @@ abstract class PlainSearch extends PlainState {
       if (obstacles.isOneWay(code) && !isStopped(m, n[0], n[1], n[2], n[3], ux, uy)) {
         return NEVER;
       }
-      return SweptCircle.movingLine(
-          m.x, m.y, m.radius, m.vx, m.vy, n[0], n[1], n[2], n[3], ux, uy, NEVER);
+      return new SweptCircle(m.x, m.y, m.radius, m.vx, m.vy)
+          .timeToLine(n[0], n[1], n[2], n[3], ux, uy, NEVER);
     }
-    return SweptCircle.pair(m.x, m.y, m.radius, m.vx, m.vy, n[0], n[1], n[2], ux, uy, NEVER);
+    return new SweptCircle(m.x, m.y, m.radius, m.vx, m.vy)
+        .timeToCircle(new SweptCircle(n[0], n[1], n[2], ux, uy), NEVER);
   }
 
   /** Whether the centre is left of a line and goes to its right: a point's path from there on. */
@@ -203,7 +204,8 @@ abstract class PlainSearch extends PlainState {
     double gy = a.gy - b.gy;
     if (gx == 0 && gy == 0) {
       double t =
-          SweptCircle.pair(a.x, a.y, a.radius, a.vx, a.vy, b.x, b.y, b.radius, b.vx, b.vy, NEVER);
+          new SweptCircle(a.x, a.y, a.radius, a.vx, a.vy)
+              .timeToCircle(new SweptCircle(b.x, b.y, b.radius, b.vx, b.vy), NEVER);
       return t > after ? t : NEVER;
     }
     return after < 0
@@ -216,7 +218,7 @@ abstract class PlainSearch extends PlainState {
   /** When a circle that is not there would first hit something but a sensor. */
   double cast(Circle circle, Vec2 v, int category, int mask) {
     long filter = FilterBits.of(category, mask);
-    MovingCircle m = CircleCast.body(circle, v, 1);
+    MovingCircle m = new SweptCircle(circle, v).body(1);
     double first = NEVER;
     obstacles.beginQuestion(now);
     for (int code : codes()) {

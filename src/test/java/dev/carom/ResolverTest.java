@@ -150,7 +150,7 @@ class ResolverTest {
     Circle end = new Circle(1e6, 3e5, 0);
     Circle circle = new Circle(999_990, 3e5 + 6e-10, 1e-9);
     Vec2 velocity = new Vec2(1, 0);
-    Vec2 truth = SweptCircle.cast(circle, velocity, end, 20).orElseThrow().normal();
+    Vec2 truth = new SweptCircle(circle, velocity).cast(end, 20).orElseThrow().normal();
     assertThat(truth.y()).isBetween(0.5, 0.7);
     Trajectory way = Resolver.of(List.of(end)).trace(circle, velocity, 20);
     Vec2 normal = way.impacts().get(0).normal();

@@ -15,7 +15,7 @@ final class SweptCircleAnswers {
 
   /** Casts in both forms, which must agree on the time; the impact must be there. */
   static Impact hit(Circle c, Vec2 v, Line line, double T) {
-    Impact impact = SweptCircle.cast(c, v, line, T).orElseThrow();
+    Impact impact = new SweptCircle(c, v).cast(line, T).orElseThrow();
     assertThat(time(c, v, line, T)).isEqualTo(impact.time());
     assertThat(impact.kind()).isEqualTo(Kind.LINE);
     return impact;
@@ -27,8 +27,9 @@ final class SweptCircleAnswers {
 
   static double time(Circle c, Vec2 v, Line l, double T) {
     double t =
-        SweptCircle.line(c.x(), c.y(), c.radius(), v.x(), v.y(), l.ax(), l.ay(), l.bx(), l.by(), T);
-    assertThat(SweptCircle.cast(c, v, l, T).isPresent()).isEqualTo(t < NEVER);
+        new SweptCircle(c.x(), c.y(), c.radius(), v.x(), v.y())
+            .timeToLine(l.ax(), l.ay(), l.bx(), l.by(), T);
+    assertThat(new SweptCircle(c, v).cast(l, T).isPresent()).isEqualTo(t < NEVER);
     return t;
   }
 

@@ -36,21 +36,12 @@ class SweptCircleLawsTest {
   private record Query(Circle circle, Vec2 v, Line line, double T) {
 
     Optional<Impact> cast() {
-      return SweptCircle.cast(circle, v, line, T);
+      return new SweptCircle(circle, v).cast(line, T);
     }
 
     double time() {
-      return SweptCircle.line(
-          circle.x(),
-          circle.y(),
-          circle.radius(),
-          v.x(),
-          v.y(),
-          line.ax(),
-          line.ay(),
-          line.bx(),
-          line.by(),
-          T);
+      return new SweptCircle(circle.x(), circle.y(), circle.radius(), v.x(), v.y())
+          .timeToLine(line.ax(), line.ay(), line.bx(), line.by(), T);
     }
 
     /** The query with all places mapped by one function, vectors by a linear one. */
@@ -187,29 +178,11 @@ class SweptCircleLawsTest {
       Circle c = q.circle();
       double R = Math.abs(source.number(8));
       double still =
-          SweptCircle.peg(
-              c.x(),
-              c.y(),
-              c.radius(),
-              q.v().x(),
-              q.v().y(),
-              q.line().ax(),
-              q.line().ay(),
-              R,
-              q.T());
+          new SweptCircle(c.x(), c.y(), c.radius(), q.v().x(), q.v().y())
+              .timeToPeg(q.line().ax(), q.line().ay(), R, q.T());
       double moving =
-          SweptCircle.pair(
-              c.x(),
-              c.y(),
-              c.radius(),
-              q.v().x() + u.x(),
-              q.v().y() + u.y(),
-              q.line().ax(),
-              q.line().ay(),
-              R,
-              u.x(),
-              u.y(),
-              q.T());
+          new SweptCircle(c.x(), c.y(), c.radius(), q.v().x() + u.x(), q.v().y() + u.y())
+              .timeToCircle(new SweptCircle(q.line().ax(), q.line().ay(), R, u.x(), u.y()), q.T());
       assertThat(moving).isEqualTo(still);
     }
   }
@@ -266,9 +239,11 @@ class SweptCircleLawsTest {
       Query one = source.query();
       Query two = source.query();
       Optional<Impact> before =
-          SweptCircle.cast(one.circle(), one.v(), two.circle(), two.v(), one.T());
+          new SweptCircle(one.circle(), one.v())
+              .cast(new SweptCircle(two.circle(), two.v()), one.T());
       Optional<Impact> after =
-          SweptCircle.cast(two.circle(), two.v(), one.circle(), one.v(), one.T());
+          new SweptCircle(two.circle(), two.v())
+              .cast(new SweptCircle(one.circle(), one.v()), one.T());
       assertThat(after.map(Impact::time)).isEqualTo(before.map(Impact::time));
       if (before.isPresent()) {
         hits++;
@@ -311,9 +286,11 @@ class SweptCircleLawsTest {
         q -> {
           Circle c = q.circle();
           double whole =
-              SweptCircle.peg(c.x(), c.y(), c.radius(), q.v().x(), q.v().y(), 0, 0, 0, q.T());
+              new SweptCircle(c.x(), c.y(), c.radius(), q.v().x(), q.v().y())
+                  .timeToPeg(0, 0, 0, q.T());
           double none =
-              SweptCircle.peg(c.x(), c.y(), 0, q.v().x(), q.v().y(), 0, 0, c.radius(), q.T());
+              new SweptCircle(c.x(), c.y(), 0, q.v().x(), q.v().y())
+                  .timeToPeg(0, 0, c.radius(), q.T());
           assertThat(none).isEqualTo(whole);
         });
   }

@@ -7,6 +7,7 @@ import static dev.carom.SweptCircleAnswers.time;
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.assertThatIllegalArgumentException;
 
+import java.util.List;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
@@ -38,10 +39,11 @@ class SweptCircleLimitsTest {
     double x = Double.parseDouble(from);
     double t = Double.parseDouble(time);
     double to = -0x1p-53;
-    assertThat(SweptCircle.bounds(x, 0, 0, -1, 0, to, -9, 9, 9, NEVER)).isEqualTo(t);
-    assertThat(SweptCircle.pair(x, 0, 0, -1, 0, to, 0, 0, 0, 0, NEVER)).isEqualTo(t);
-    assertThat(SweptCircle.line(x, 0, 0, -1, 0, to, -9, to, 9, NEVER)).isEqualTo(t);
-    assertThat(SweptCircle.bounds(x, 0, 0, -1, 0, to, -9, 9, 9, Math.max(t, x)))
+    assertThat(new SweptCircle(x, 0, 0, -1, 0).timeToBounds(to, -9, 9, 9, NEVER)).isEqualTo(t);
+    assertThat(new SweptCircle(x, 0, 0, -1, 0).timeToCircle(new SweptCircle(to, 0, 0, 0, 0), NEVER))
+        .isEqualTo(t);
+    assertThat(new SweptCircle(x, 0, 0, -1, 0).timeToLine(to, -9, to, 9, NEVER)).isEqualTo(t);
+    assertThat(new SweptCircle(x, 0, 0, -1, 0).timeToBounds(to, -9, 9, 9, Math.max(t, x)))
         .isEqualTo(x < t ? t : NEVER);
   }
 
@@ -50,7 +52,7 @@ class SweptCircleLimitsTest {
   void theNormalAtATimeThatIsRoundedTo0() {
     Circle circle = new Circle(-1.25 * 0x1p-52, 0x1p-53, 0x1p-52);
     Impact atPoint =
-        SweptCircle.cast(circle, new Vec2(0x1p1023, 0), new Circle(0, 0, 0), 1).orElseThrow();
+        new SweptCircle(circle, new Vec2(0x1p1023, 0)).cast(new Circle(0, 0, 0), 1).orElseThrow();
     assertThat(atPoint.time()).isZero();
     assertVector(atPoint.normal(), new Vec2(-Math.sqrt(0.75), 0.5), 1e-15);
     Impact atLine = hit(new Circle(0x1p-60, 0x1p-60, 0), new Vec2(-0x1p1023, -0x1p1023), FLOOR);
@@ -69,10 +71,15 @@ class SweptCircleLimitsTest {
   @Test
   void numbersNearTheLargestDoubleAreNotRefused() {
     double m = Double.MAX_VALUE;
-    assertThat(SweptCircle.line(m, m, m, m, m, m, m, -m, -m, 1)).isEqualTo(NEVER);
-    assertThat(SweptCircle.pair(m, 0, 1, -m, 0, -m, 0, 1, m, 0, 2)).isEqualTo(1);
-    assertThat(SweptCircle.bounds(0, 0, 1, m, 0, -m, -m, m, m, 2)).isEqualTo(1);
+    assertThat(new SweptCircle(m, m, m, m, m).timeToLine(m, m, -m, -m, 1)).isEqualTo(NEVER);
+    assertThat(new SweptCircle(m, 0, 1, -m, 0).timeToCircle(new SweptCircle(-m, 0, 1, m, 0), 2))
+        .isEqualTo(1);
+    assertThat(new SweptCircle(0, 0, 1, m, 0).timeToBounds(-m, -m, m, m, 2)).isEqualTo(1);
   }
+
+  private static final SweptCircle MOVING = new SweptCircle(0, 0, 1, 1, 1);
+
+  private static final SweptCircle FALLING = MOVING.withAcceleration(0, -1);
 
   private static void refused(Runnable query, String name, double value) {
     assertThatIllegalArgumentException()
@@ -84,53 +91,62 @@ class SweptCircleLimitsTest {
   @ParameterizedTest
   @ValueSource(doubles = {Double.NaN, Double.POSITIVE_INFINITY, Double.NEGATIVE_INFINITY})
   void refusesWhatIsNotFinite(double bad) {
-    refused(() -> SweptCircle.line(bad, 0, 1, 1, 1, 0, 0, 1, 1, 1), "px", bad);
-    refused(() -> SweptCircle.line(0, bad, 1, 1, 1, 0, 0, 1, 1, 1), "py", bad);
-    refused(() -> SweptCircle.line(0, 0, bad, 1, 1, 0, 0, 1, 1, 1), "r", bad);
-    refused(() -> SweptCircle.line(0, 0, 1, bad, 1, 0, 0, 1, 1, 1), "vx", bad);
-    refused(() -> SweptCircle.line(0, 0, 1, 1, bad, 0, 0, 1, 1, 1), "vy", bad);
-    refused(() -> SweptCircle.line(0, 0, 1, 1, 1, bad, 0, 1, 1, 1), "ax", bad);
-    refused(() -> SweptCircle.line(0, 0, 1, 1, 1, 0, bad, 1, 1, 1), "ay", bad);
-    refused(() -> SweptCircle.line(0, 0, 1, 1, 1, 0, 0, bad, 1, 1), "bx", bad);
-    refused(() -> SweptCircle.line(0, 0, 1, 1, 1, 0, 0, 1, bad, 1), "by", bad);
-    refused(() -> SweptCircle.peg(0, bad, 1, 1, 1, 0, 0, 1, 1), "py", bad);
-    refused(() -> SweptCircle.peg(0, 0, 1, 1, 1, bad, 0, 1, 1), "cx", bad);
-    refused(() -> SweptCircle.peg(0, 0, 1, 1, 1, 0, bad, 1, 1), "cy", bad);
-    refused(() -> SweptCircle.peg(0, 0, 1, 1, 1, 0, 0, bad, 1), "R", bad);
-    refused(() -> SweptCircle.pair(0, 0, 1, 1, 1, 0, 0, 1, bad, 1, 1), "vx2", bad);
-    refused(() -> SweptCircle.pair(0, bad, 1, 1, 1, 0, 0, 1, 1, 1, 1), "y1", bad);
-    refused(() -> SweptCircle.pair(0, 0, 1, 1, bad, 0, 0, 1, 1, 1, 1), "vy1", bad);
-    refused(() -> SweptCircle.pair(0, 0, bad, 1, 1, 0, 0, 1, 1, 1, 1), "r1", bad);
-    refused(() -> SweptCircle.bounds(0, 0, 1, 1, 1, bad, 0, 1, 1, 1), "xmin", bad);
-    refused(() -> SweptCircle.bounds(0, 0, bad, 1, 1, 0, 0, 1, 1, 1), "r", bad);
+    refused(() -> new SweptCircle(bad, 0, 1, 1, 1), "x", bad);
+    refused(() -> new SweptCircle(0, bad, 1, 1, 1), "y", bad);
+    refused(() -> new SweptCircle(0, 0, bad, 1, 1), "radius", bad);
+    refused(() -> new SweptCircle(0, 0, 1, bad, 1), "vx", bad);
+    refused(() -> new SweptCircle(0, 0, 1, 1, bad), "vy", bad);
+    refused(() -> new SweptCircle(0, 0, 1, 1, 1, bad, 1), "gx", bad);
+    refused(() -> new SweptCircle(0, 0, 1, 1, 1, 1, bad), "gy", bad);
+    refused(() -> MOVING.withVelocity(bad, 1), "vx", bad);
+    refused(() -> MOVING.withVelocity(1, bad), "vy", bad);
+    refused(() -> MOVING.withAcceleration(bad, 1), "gx", bad);
+    refused(() -> MOVING.withAcceleration(1, bad), "gy", bad);
+    refused(() -> MOVING.at(bad), "t", bad);
+    for (SweptCircle circle : List.of(MOVING, FALLING)) {
+      refused(() -> circle.timeToLine(bad, 0, 1, 1, 1), "ax", bad);
+      refused(() -> circle.timeToLine(0, bad, 1, 1, 1), "ay", bad);
+      refused(() -> circle.timeToLine(0, 0, bad, 1, 1), "bx", bad);
+      refused(() -> circle.timeToLine(0, 0, 1, bad, 1), "by", bad);
+      refused(() -> circle.timeToLine(0, 0, 1, 1, bad, 0, 1), "ux", bad);
+      refused(() -> circle.timeToLine(0, 0, 1, 1, 0, bad, 1), "uy", bad);
+      refused(() -> circle.timeToPeg(bad, 0, 1, 1), "cx", bad);
+      refused(() -> circle.timeToPeg(0, bad, 1, 1), "cy", bad);
+      refused(() -> circle.timeToPeg(0, 0, bad, 1), "pegRadius", bad);
+      refused(() -> circle.timeToBounds(bad, 0, 1, 1, 1), "xmin", bad);
+      refused(() -> circle.timeToBounds(0, bad, 1, 1, 1), "ymin", bad);
+      refused(() -> circle.timeToBounds(0, 0, bad, 1, 1), "xmax", bad);
+      refused(() -> circle.timeToBounds(0, 0, 1, bad, 1), "ymax", bad);
+    }
   }
 
-  @Test
-  void refusesNegativeRadiiAndWindows() {
-    refused(() -> SweptCircle.line(0, 0, -1, 1, 1, 0, 0, 1, 1, 1), "r", -1);
-    refused(() -> SweptCircle.peg(0, 0, 1, 1, 1, 0, 0, -2, 1), "R", -2);
-    refused(() -> SweptCircle.line(0, 0, 1, 1, 1, 0, 0, 1, 1, -0.5), "maxTime", -0.5);
-    refused(() -> SweptCircle.line(0, 0, 1, 1, 1, 0, 0, 1, 1, Double.NaN), "maxTime", Double.NaN);
-    refused(() -> SweptCircle.peg(0, 0, 1, 1, 1, 0, 0, 1, -0.5), "maxTime", -0.5);
-    refused(() -> SweptCircle.pair(0, 0, 1, 1, 1, 0, 0, 1, 1, 1, -0.5), "maxTime", -0.5);
-    refused(() -> SweptCircle.pair(0, 0, -1, 1, 1, 0, 0, 3, 1, 1, 1), "r1", -1);
-    refused(() -> SweptCircle.pair(0, 0, 3, 1, 1, 0, 0, -1, 1, 1, 1), "r2", -1);
-    refused(() -> SweptCircle.bounds(0, 0, 1, 1, 1, 0, 0, 1, 1, -0.5), "maxTime", -0.5);
-    refused(() -> SweptCircle.bounds(0, 0, 1, 1, 1, 2, 0, 1, 1, 1), "xmax", 1);
-    Circle c = new Circle(0, 0, 1);
-    refused(() -> SweptCircle.cast(c, Vec2.ZERO, FLOOR, -0.5), "maxTime", -0.5);
-    refused(() -> SweptCircle.cast(c, Vec2.ZERO, c, Vec2.ZERO, Double.NaN), "maxTime", Double.NaN);
+  @ParameterizedTest
+  @ValueSource(doubles = {-0.5, Double.NaN})
+  void refusesNegativeRadiiAndWindows(double bad) {
+    refused(() -> new SweptCircle(0, 0, bad, 1, 1), "radius", bad);
+    for (SweptCircle circle : List.of(MOVING, FALLING)) {
+      refused(() -> circle.timeToPeg(0, 0, bad, 1), "pegRadius", bad);
+      refused(() -> circle.timeToBounds(2, 0, 1, 1, 1), "xmax", 1);
+      refused(() -> circle.timeToBounds(0, 2, 1, 1, 1), "ymax", 1);
+      refused(() -> circle.timeToLine(0, 0, 1, 1, bad), "maxTime", bad);
+      refused(() -> circle.timeToLine(0, 0, 1, 1, 0, 0, bad), "maxTime", bad);
+      refused(() -> circle.timeToPeg(0, 0, 1, bad), "maxTime", bad);
+      refused(() -> circle.timeToBounds(0, 0, 1, 1, bad), "maxTime", bad);
+      refused(() -> circle.timeToCircle(MOVING, bad), "maxTime", bad);
+      refused(() -> circle.cast(FLOOR, bad), "maxTime", bad);
+      refused(() -> circle.cast(new Bounds(0, 0, 1, 1), bad), "maxTime", bad);
+      refused(() -> circle.cast(FLOOR, Vec2.ZERO, bad), "maxTime", bad);
+      refused(() -> circle.cast(MOVING, bad), "maxTime", bad);
+    }
   }
 
   /** The pair runs out of the range of doubles before it meets: its point is at the edge of it. */
   @Test
   void aContactPointBeyondTheRangeOfDoublesIsTheLargestOne() {
     Impact impact =
-        SweptCircle.cast(
-                new Circle(-0x1.c17p1021, -0x1.524p1021, 0x1.a8p1014),
-                new Vec2(0x1.08p1014, 0x1.84p1015),
-                new Circle(0x1.868p1018, -0x1.6fp1017, 0),
-                new Vec2(0x1.9p1013, 0x1.7p1015),
+        new SweptCircle(-0x1.c17p1021, -0x1.524p1021, 0x1.a8p1014, 0x1.08p1014, 0x1.84p1015)
+            .cast(
+                new SweptCircle(0x1.868p1018, -0x1.6fp1017, 0, 0x1.9p1013, 0x1.7p1015),
                 0x1.93e5939a08ceap99)
             .orElseThrow();
     assertThat(impact.time()).isEqualTo(1000);

@@ -2,7 +2,6 @@
 package dev.carom;
 
 import static org.assertj.core.api.Assertions.assertThat;
-import static org.assertj.core.api.Assertions.assertThatIllegalArgumentException;
 import static org.assertj.core.api.Assertions.within;
 
 import dev.carom.oracle.Draw;
@@ -12,10 +11,10 @@ import dev.carom.oracle.PairQuery;
 import dev.carom.oracle.Query;
 import dev.carom.oracle.SegmentQuery;
 import java.util.Optional;
+import java.util.Random;
 import java.util.stream.Stream;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
-import org.junit.jupiter.params.provider.CsvSource;
 import org.junit.jupiter.params.provider.MethodSource;
 import org.junit.jupiter.params.provider.ValueSource;
 
@@ -29,7 +28,7 @@ class SweptCircleParabolaTest {
   private static final Vec2 G = new Vec2(0, -2);
 
   private static Optional<Impact> cast(Circle circle, Vec2 v, Obstacle obstacle, double T) {
-    return SweptCircle.cast(circle, v, G, obstacle, T);
+    return new SweptCircle(circle, v).withAcceleration(G.x(), G.y()).cast(obstacle, T);
   }
 
   @Test
@@ -66,7 +65,9 @@ class SweptCircleParabolaTest {
     assertThat(impact.kind()).isEqualTo(Kind.PEG);
     assertThat(impact.point()).isEqualTo(new Vec2(5, 0));
     Impact rising =
-        SweptCircle.cast(new Circle(5, 5, 1), Vec2.ZERO, G, peg, new Vec2(0, 3), NEVER)
+        new SweptCircle(5, 5, 1, 0, 0)
+            .withAcceleration(G.x(), G.y())
+            .cast(new SweptCircle(peg, new Vec2(0, 3)), NEVER)
             .orElseThrow();
     assertThat(rising.time()).isEqualTo(1);
     assertThat(rising.approachSpeed()).isEqualTo(5);
@@ -77,13 +78,9 @@ class SweptCircleParabolaTest {
   @Test
   void circlesWithOneCentreThatFallTogetherAtOnceHaveANormal() {
     Impact impact =
-        SweptCircle.cast(
-                new Circle(3, 4, 1),
-                Vec2.ZERO,
-                G,
-                new Circle(3, 4, 2),
-                new Vec2(0, -Double.MIN_VALUE),
-                9)
+        new SweptCircle(3, 4, 1, 0, 0)
+            .withAcceleration(G.x(), G.y())
+            .cast(new SweptCircle(3, 4, 2, 0, -Double.MIN_VALUE), 9)
             .orElseThrow();
     assertThat(impact.time()).isZero();
     assertThat(impact.normal()).isEqualTo(new Vec2(0, 1));
@@ -153,14 +150,14 @@ class SweptCircleParabolaTest {
 
   @Test
   void theWindowIsClosed() {
-    assertThat(SweptCircle.line(5, 5, 1, 0, 0, 0, -2, 0, 0, 10, 0, 2)).isEqualTo(2);
-    assertThat(SweptCircle.line(5, 5, 1, 0, 0, 0, -2, 0, 0, 10, 0, Math.nextDown(2.0)))
+    assertThat(new SweptCircle(5, 5, 1, 0, 0, 0, -2).timeToLine(0, 0, 10, 0, 2)).isEqualTo(2);
+    assertThat(new SweptCircle(5, 5, 1, 0, 0, 0, -2).timeToLine(0, 0, 10, 0, Math.nextDown(2.0)))
         .isEqualTo(NEVER);
-    assertThat(SweptCircle.peg(5, 5, 1, 0, 0, 0, -2, 5, -1, 1, 2)).isEqualTo(2);
-    assertThat(SweptCircle.peg(5, 5, 1, 0, 0, 0, -2, 5, -1, 1, Math.nextDown(2.0)))
+    assertThat(new SweptCircle(5, 5, 1, 0, 0, 0, -2).timeToPeg(5, -1, 1, 2)).isEqualTo(2);
+    assertThat(new SweptCircle(5, 5, 1, 0, 0, 0, -2).timeToPeg(5, -1, 1, Math.nextDown(2.0)))
         .isEqualTo(NEVER);
-    assertThat(SweptCircle.bounds(5, 5, 1, 0, 0, 0, -2, 0, 0, 10, 10, 2)).isEqualTo(2);
-    assertThat(SweptCircle.bounds(5, 5, 1, 0, 0, 0, -2, 0, 0, 10, 10, Math.nextDown(2.0)))
+    assertThat(new SweptCircle(5, 5, 1, 0, 0, 0, -2).timeToBounds(0, 0, 10, 10, 2)).isEqualTo(2);
+    assertThat(new SweptCircle(5, 5, 1, 0, 0, 0, -2).timeToBounds(0, 0, 10, 10, Math.nextDown(2.0)))
         .isEqualTo(NEVER);
   }
 
@@ -168,10 +165,13 @@ class SweptCircleParabolaTest {
   @ValueSource(ints = {-1000, -500, -100, 100, 400, 900})
   void sizeDoesNotMatter(int exponent) {
     double s = Math.scalb(1.0, exponent);
-    assertThat(SweptCircle.line(5 * s, 5 * s, s, s, 0, 0, -2 * s, 0, 0, 10 * s, 0, NEVER))
+    assertThat(new SweptCircle(5 * s, 5 * s, s, s, 0, 0, -2 * s).timeToLine(0, 0, 10 * s, 0, NEVER))
         .isEqualTo(2);
-    assertThat(SweptCircle.peg(5 * s, 5 * s, s, 0, 0, 0, -2 * s, 5 * s, -s, s, NEVER)).isEqualTo(2);
-    assertThat(SweptCircle.bounds(5 * s, 5 * s, s, s, 0, 0, -2 * s, 0, 0, 9 * s, 9 * s, NEVER))
+    assertThat(new SweptCircle(5 * s, 5 * s, s, 0, 0, 0, -2 * s).timeToPeg(5 * s, -s, s, NEVER))
+        .isEqualTo(2);
+    assertThat(
+            new SweptCircle(5 * s, 5 * s, s, s, 0, 0, -2 * s)
+                .timeToBounds(0, 0, 9 * s, 9 * s, NEVER))
         .isEqualTo(2);
   }
 
@@ -192,41 +192,112 @@ class SweptCircleParabolaTest {
     }
   }
 
-  /** With the acceleration (g, g), or, if that is NaN, by the straight form. */
+  /** With the acceleration (g, g), or, if that is NaN, without one. */
   private static double time(Query query, double[] n, double g) {
-    boolean straight = Double.isNaN(g);
+    int k = query instanceof SegmentQuery ? 4 : 0;
+    SweptCircle straight = new SweptCircle(n[k], n[k + 1], n[k + 2], n[k + 3], n[k + 4]);
+    SweptCircle circle = Double.isNaN(g) ? straight : straight.withAcceleration(g, g);
     if (query instanceof SegmentQuery) {
-      return straight
-          ? SweptCircle.line(n[4], n[5], n[6], n[7], n[8], n[0], n[1], n[2], n[3], n[9])
-          : SweptCircle.line(n[4], n[5], n[6], n[7], n[8], g, g, n[0], n[1], n[2], n[3], n[9]);
+      return circle.timeToLine(n[0], n[1], n[2], n[3], n[9]);
     }
-    if (query instanceof PairQuery) {
-      return straight
-          ? SweptCircle.pair(n[0], n[1], n[2], n[3], n[4], n[5], n[6], n[7], n[8], n[9], n[10])
-          : SweptCircle.pair(
-              n[0], n[1], n[2], n[3], n[4], g, g, n[5], n[6], n[7], n[8], n[9], n[10]);
-    }
-    return straight
-        ? SweptCircle.bounds(n[0], n[1], n[2], n[3], n[4], n[5], n[6], n[7], n[8], n[9])
-        : SweptCircle.bounds(n[0], n[1], n[2], n[3], n[4], g, g, n[5], n[6], n[7], n[8], n[9]);
+    return query instanceof PairQuery
+        ? circle.timeToCircle(new SweptCircle(n[5], n[6], n[7], n[8], n[9]), n[10])
+        : circle.timeToBounds(n[5], n[6], n[7], n[8], n[9]);
   }
 
-  @ParameterizedTest
-  @CsvSource({"NaN, 0, gx", "Infinity, 0, gx", "0, NaN, gy", "0, -Infinity, gy"})
-  void anAccelerationMustBeFinite(double gx, double gy, String name) {
-    String message = name + " is " + (name.equals("gx") ? gx : gy);
-    assertThatIllegalArgumentException()
-        .isThrownBy(() -> SweptCircle.line(0, 5, 1, 0, 0, gx, gy, 0, 0, 1, 0, 1))
-        .withMessageContaining(message);
-    assertThatIllegalArgumentException()
-        .isThrownBy(() -> SweptCircle.peg(0, 5, 1, 0, 0, gx, gy, 0, 0, 1, 1))
-        .withMessageContaining(message);
-    assertThatIllegalArgumentException()
-        .isThrownBy(() -> SweptCircle.bounds(1, 5, 1, 0, 0, gx, gy, 0, 0, 9, 9, 1))
-        .withMessageContaining(message);
-    assertThatIllegalArgumentException()
-        .isThrownBy(() -> SweptCircle.pair(0, 5, 1, 0, 0, gx, gy, 0, 0, 1, 0, 0, 1))
-        .withMessageContaining(message);
+  // Where both move.
+
+  /** The line rises at 3: it meets the ball, which is 5 - t^2 high, at 3 t, when t = 1. */
+  @Test
+  void aFallingBallMeetsALineThatRises() {
+    SweptCircle ball = new SweptCircle(5, 5, 1, 1, 0, 0, -2);
+    assertThat(ball.timeToLine(0, 0, 10, 0, 0, 3, NEVER)).isEqualTo(1);
+    Impact impact = ball.cast(FLOOR, new Vec2(0, 3), NEVER).orElseThrow();
+    assertThat(impact.time()).isEqualTo(1);
+    assertThat(impact.feature()).isEqualTo(Feature.SIDE);
+    assertThat(impact.point()).isEqualTo(new Vec2(6, 3));
+    assertThat(impact.approachSpeed()).isEqualTo(5);
+  }
+
+  /** Relative to the other one it falls at 2: from 6 apart they touch, at 2, after 2. */
+  @Test
+  void twoBallsMayFallDifferently() {
+    SweptCircle fast = new SweptCircle(5, 6, 1, 1, 0, 0, -3);
+    SweptCircle slow = new SweptCircle(5, 0, 1, 1, 0, 0, -1);
+    assertThat(fast.timeToCircle(slow, NEVER)).isEqualTo(2);
+    assertThat(slow.timeToCircle(fast, NEVER)).isEqualTo(2);
+    Impact impact = fast.cast(slow, NEVER).orElseThrow();
+    assertThat(impact.time()).isEqualTo(2);
+    assertThat(impact.normal()).isEqualTo(new Vec2(0, 1));
+    assertThat(impact.point()).as("-2 + 1").isEqualTo(new Vec2(7, -1));
+    assertThat(impact.approachSpeed()).isEqualTo(4);
+    Impact other = slow.cast(fast, NEVER).orElseThrow();
+    assertThat(other.normal()).isEqualTo(new Vec2(0, -1));
+    assertThat(other.point()).isEqualTo(new Vec2(7, -1));
+    assertThat(other.approachSpeed()).isEqualTo(4);
+  }
+
+  /** They approach at 3, from 8 apart to 2, and fall by 4 meanwhile. */
+  @Test
+  void twoBallsThatFallAlikeMoveStraightRelativeToEachOther() {
+    SweptCircle left = new SweptCircle(0, 0, 1, 2, 0, 0, -2);
+    SweptCircle right = new SweptCircle(8, 0, 1, -1, 0, 0, -2);
+    assertThat(left.timeToCircle(right, NEVER)).isEqualTo(2);
+    assertThat(left.timeToCircle(right, Math.nextDown(2.0))).isEqualTo(NEVER);
+    Impact impact = left.cast(right, NEVER).orElseThrow();
+    assertThat(impact.time()).isEqualTo(2);
+    assertThat(impact.point()).isEqualTo(new Vec2(5, -4));
+    assertThat(impact.normal()).isEqualTo(new Vec2(-1, 0));
+    assertThat(impact.approachSpeed()).isEqualTo(3);
+  }
+
+  /** Against the same circle that takes off the other one's fall, on numbers of few bits. */
+  @Test
+  void theDifferenceOfTwoFallsDecides() {
+    Random random = new Random(1);
+    int hits = 0;
+    for (int i = 0; i < 20_000; i++) {
+      double[] n = random.ints(14, -9, 10).asDoubleStream().toArray();
+      SweptCircle a = new SweptCircle(n[0], n[1], Math.abs(n[2]), n[3], n[4], n[5], n[6]);
+      SweptCircle b = new SweptCircle(n[7], n[8], Math.abs(n[9]), n[10], n[11], n[12], n[13]);
+      SweptCircle straight = b.withAcceleration(0, 0);
+      SweptCircle relative = a.withAcceleration(n[5] - n[12], n[6] - n[13]);
+      double time = a.timeToCircle(b, 99);
+      assertThat(time).isEqualTo(relative.timeToCircle(straight, 99));
+      assertThat(time).isEqualTo(b.timeToCircle(a, 99));
+      assertThat(a.cast(b, 99).map(Impact::time).orElse(NEVER)).isEqualTo(time);
+      hits += time < NEVER ? 1 : 0;
+      Impact impact = a.cast(b, 99).orElse(null);
+      if (impact != null && time > 0) {
+        Vec2 onB = b.at(time).center();
+        double r = b.radius();
+        double size = 1e-13 * (1 + Math.abs(onB.x()) + Math.abs(onB.y()) + time * time);
+        assertThat(impact.point().x()).isCloseTo(onB.x() + r * impact.normal().x(), within(size));
+        assertThat(impact.point().y()).isCloseTo(onB.y() + r * impact.normal().y(), within(size));
+      }
+    }
+    assertThat(hits).isGreaterThan(5_000);
+  }
+
+  /** At opposite ends of the range their difference is none: the largest double stands for it. */
+  @Test
+  void aDifferenceBeyondTheRangeOfDoublesIsTheLargestOne() {
+    SweptCircle down = new SweptCircle(0, 0x1p1000, 1, 0, 0, 0, -Double.MAX_VALUE);
+    SweptCircle up = new SweptCircle(0, 0, 1, 0, 0, 0, Double.MAX_VALUE);
+    assertThat(down.timeToCircle(up, NEVER))
+        .isEqualTo(down.timeToCircle(up.withAcceleration(0, 0), NEVER))
+        .isPositive();
+  }
+
+  @Test
+  void theCircleAtATime() {
+    SweptCircle ball = new SweptCircle(1, 2, 3, 4, 5, 6, 8);
+    assertThat(ball.at(0)).isEqualTo(new Circle(1, 2, 3));
+    assertThat(ball.at(2)).isEqualTo(new Circle(1 + 8 + 12, 2 + 10 + 16, 3));
+    assertThat(ball.at(-1)).isEqualTo(new Circle(0, 1, 3));
+    assertThat(ball.withAcceleration(0, 0).at(2)).isEqualTo(new Circle(9, 12, 3));
+    assertThat(ball.withVelocity(0, -2).at(1)).isEqualTo(new Circle(4, 4, 3));
+    assertThat(ball.at(1e300)).isEqualTo(new Circle(Double.MAX_VALUE, Double.MAX_VALUE, 3));
   }
 
   /** The centre is beside the line by 1e-168, which the square of the time, 1e-318, cannot tell. */
@@ -241,8 +312,10 @@ class SweptCircleParabolaTest {
     Circle circle =
         new Circle(-0x1.0322d51c24aaep-490, -0x1.0106073d115f8p-492, 0x1.a2847b0153c5dp-594);
     Vec2 velocity = new Vec2(-0x1.bd3eda17e178ap43, 0x1.98a0b29b75eefp36);
-    Vec2 gravity = new Vec2(-0x1.477f4d99d393p566, -0x1.44d3d51c41295p564);
-    Impact impact = SweptCircle.cast(circle, velocity, gravity, line, NEVER).orElseThrow();
+    SweptCircle falling =
+        new SweptCircle(circle, velocity)
+            .withAcceleration(-0x1.477f4d99d393p566, -0x1.44d3d51c41295p564);
+    Impact impact = falling.cast(line, NEVER).orElseThrow();
     assertThat(impact.feature()).isEqualTo(Feature.SIDE);
     assertThat(impact.normal().x()).isEqualTo(1);
   }
@@ -262,24 +335,7 @@ class SweptCircleParabolaTest {
       boolean isSpeed = i == 3 || i == 4;
       n[i] = Math.scalb(n[i], i == 5 ? 2 * speed - length : isSpeed ? speed : length);
     }
-    return SweptCircle.line(n[0], n[1], n[2], n[3], n[4], 0, n[5], n[6], n[7], n[8], n[9], NEVER);
-  }
-
-  @Test
-  void otherNumbersAreRefusedByName() {
-    assertRefused("px", () -> SweptCircle.line(NEVER, 5, 1, 0, 0, 0, 1, 0, 0, 1, 0, 1));
-    assertRefused("r", () -> SweptCircle.line(0, 5, -1, 0, 0, 0, 1, 0, 0, 1, 0, 1));
-    assertRefused("by", () -> SweptCircle.line(0, 5, 1, 0, 0, 0, 1, 0, 0, 1, NEVER, 1));
-    assertRefused("maxTime", () -> SweptCircle.line(0, 5, 1, 0, 0, 0, 1, 0, 0, 1, 0, -1));
-    assertRefused("R", () -> SweptCircle.peg(0, 5, 1, 0, 0, 0, 1, 0, 0, -1, 1));
-    assertRefused("cx", () -> SweptCircle.peg(0, 5, 1, 0, 0, 0, 1, NEVER, 0, 1, 1));
-    assertRefused("xmax", () -> SweptCircle.bounds(0, 5, 1, 0, 0, 0, 1, 0, 0, 0, 9, 1));
-    assertRefused("r2", () -> SweptCircle.pair(0, 5, 1, 0, 0, 0, 1, 0, 0, -1, 0, 0, 1));
-    assertRefused("maxTime", () -> cast(new Circle(0, 5, 1), Vec2.ZERO, FLOOR, Double.NaN));
-  }
-
-  private static void assertRefused(
-      String name, org.assertj.core.api.ThrowableAssert.ThrowingCallable call) {
-    assertThatIllegalArgumentException().isThrownBy(call).withMessageStartingWith(name + " ");
+    return new SweptCircle(n[0], n[1], n[2], n[3], n[4], 0, n[5])
+        .timeToLine(n[6], n[7], n[8], n[9], NEVER);
   }
 }

@@ -383,13 +383,9 @@ class SweptCircleTest {
         .isEqualTo(new Vec2(0, -1));
     assertThat(hit(new Circle(3, 1, 1), new Vec2(-1, 0), up).normal()).isEqualTo(new Vec2(1, 0));
     assertThat(hit(new Circle(-3, 1, 1), new Vec2(1, 0), up).normal()).isEqualTo(new Vec2(-1, 0));
-    assertThat(
-            SweptCircle.cast(new Circle(-0.0, 2, 1), new Vec2(0, -1), new Circle(0, 1, 0), 0)
-                .map(Impact::normal))
+    assertThat(new SweptCircle(-0.0, 2, 1, 0, -1).cast(new Circle(0, 1, 0), 0).map(Impact::normal))
         .contains(new Vec2(0, 1));
-    assertThat(
-            SweptCircle.cast(new Circle(2, -0.0, 1), new Vec2(-1, 0), new Circle(1, 0, 0), 0)
-                .map(Impact::normal))
+    assertThat(new SweptCircle(2, -0.0, 1, -1, 0).cast(new Circle(1, 0, 0), 0).map(Impact::normal))
         .contains(new Vec2(1, 0));
   }
 }

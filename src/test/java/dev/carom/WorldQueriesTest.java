@@ -32,8 +32,8 @@ class WorldQueriesTest {
     Vec2 v = new Vec2(24, 0);
     Line later = new Line(29.8, -5, 29.8, 5);
     Line within = new Line(Math.nextDown(29.8), -5, Math.nextDown(29.8), 5);
-    assertThat(SweptCircle.cast(circle, v, later, 1.2)).isEmpty();
-    Impact impact = SweptCircle.cast(circle, v, within, 1.2).orElseThrow();
+    assertThat(new SweptCircle(circle, v).cast(later, 1.2)).isEmpty();
+    Impact impact = new SweptCircle(circle, v).cast(within, 1.2).orElseThrow();
     assertThat(impact.time()).isEqualTo(1.2);
     for (List<Obstacle> both :
         List.of(List.<Obstacle>of(later, within), List.<Obstacle>of(within, later))) {
@@ -133,17 +133,17 @@ class WorldQueriesTest {
   private static Optional<Impact> earliest(
       World world, Scene scene, Circle circle, Vec2 v, double T) {
     List<Impact> all = new ArrayList<>();
-    scene.bounds().flatMap(b -> SweptCircle.cast(circle, v, b, T)).ifPresent(all::add);
+    scene.bounds().flatMap(b -> new SweptCircle(circle, v).cast(b, T)).ifPresent(all::add);
     for (int i = 0; i < scene.lineCount(); i++) {
-      add(all, SweptCircle.cast(circle, v, scene.line(i), T), Kind.LINE, i);
+      add(all, new SweptCircle(circle, v).cast(scene.line(i), T), Kind.LINE, i);
     }
     for (int i = 0; i < scene.pegCount(); i++) {
-      add(all, SweptCircle.cast(circle, v, scene.peg(i), T), Kind.PEG, i);
+      add(all, new SweptCircle(circle, v).cast(scene.peg(i), T), Kind.PEG, i);
     }
     for (int i = 0; i < world.circleCount(); i++) {
       Circle other = new Circle(world.x(i), world.y(i), world.radius(i));
       Vec2 u = new Vec2(world.vx(i), world.vy(i));
-      add(all, SweptCircle.cast(circle, v, other, u, T), Kind.CIRCLE, i);
+      add(all, new SweptCircle(circle, v).cast(new SweptCircle(other, u), T), Kind.CIRCLE, i);
     }
     Impact first = null;
     for (Impact impact : all) {

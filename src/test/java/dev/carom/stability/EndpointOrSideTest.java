@@ -3,11 +3,9 @@ package dev.carom.stability;
 
 import static org.assertj.core.api.Assertions.assertThat;
 
-import dev.carom.Circle;
 import dev.carom.Feature;
 import dev.carom.Line;
 import dev.carom.SweptCircle;
-import dev.carom.Vec2;
 import java.util.Random;
 import org.junit.jupiter.api.Test;
 
@@ -15,8 +13,8 @@ import org.junit.jupiter.api.Test;
 class EndpointOrSideTest {
 
   private static Feature carom(double px, double py, double wx, double wy, double r) {
-    return SweptCircle.cast(
-            new Circle(px, py, r), new Vec2(wy, -wx), new Line(0, 0, wx, wy), Double.MAX_VALUE)
+    return new SweptCircle(px, py, r, wy, -wx)
+        .cast(new Line(0, 0, wx, wy), Double.MAX_VALUE)
         .orElseThrow()
         .feature();
   }

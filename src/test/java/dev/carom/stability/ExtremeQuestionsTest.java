@@ -86,22 +86,13 @@ class ExtremeQuestionsTest {
       double window = e.window();
       double b = (c.x() - other.x()) * (v.x() - u.x()) + (c.y() - other.y()) * (v.y() - u.y());
       nan += Double.isNaN(b) ? 1 : 0;
-      check(SweptCircle.cast(c, v, line, window), window);
-      check(SweptCircle.cast(c, v, other, window), window);
-      check(SweptCircle.cast(c, v, bounds(e), window), window);
-      check(SweptCircle.cast(c, v, other, u, window), window);
+      check(new SweptCircle(c, v).cast(line, window), window);
+      check(new SweptCircle(c, v).cast(other, window), window);
+      check(new SweptCircle(c, v).cast(bounds(e), window), window);
+      check(new SweptCircle(c, v).cast(new SweptCircle(other, u), window), window);
       double t =
-          SweptCircle.line(
-              c.x(),
-              c.y(),
-              c.radius(),
-              v.x(),
-              v.y(),
-              line.ax(),
-              line.ay(),
-              line.bx(),
-              line.by(),
-              window);
+          new SweptCircle(c.x(), c.y(), c.radius(), v.x(), v.y())
+              .timeToLine(line.ax(), line.ay(), line.bx(), line.by(), window);
       checkTime(t, window);
       assertThat(line.closestPoint(v)).isNotNull();
       separate(c, other);

@@ -23,7 +23,7 @@ class GrazingTest {
   }
 
   private static double carom(double height) {
-    return SweptCircle.peg(-FAR, height, 1, 1, 0, 0, 0, 0, Double.POSITIVE_INFINITY);
+    return new SweptCircle(-FAR, height, 1, 1, 0).timeToPeg(0, 0, 0, Double.POSITIVE_INFINITY);
   }
 
   /** b^2 - a c is 0 for all of these: the radius is lost in the square of the distance. */
@@ -66,7 +66,7 @@ class GrazingTest {
       double px = wx * s - wy * m;
       double py = wy * s + wx * m;
       overlaps += wx / w * py - wy / w * px < w * m ? 1 : 0;
-      assertThat(SweptCircle.line(px, py, w * m, wx, wy, 0, 0, wx, wy, 1e9)).isInfinite();
+      assertThat(new SweptCircle(px, py, w * m, wx, wy).timeToLine(0, 0, wx, wy, 1e9)).isInfinite();
     }
     assertThat(overlaps).as("the unit normal finds overlaps").isPositive();
   }

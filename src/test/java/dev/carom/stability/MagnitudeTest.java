@@ -146,7 +146,10 @@ class MagnitudeTest {
     Circle first = new Circle(0, 0, 1);
     Circle second = new Circle(10 - aside, 10 + aside, 1);
     Vec2 v = new Vec2(1e308, 1e308);
-    Impact hit = SweptCircle.cast(first, v, second, new Vec2(-1e308, -1e308), 1).orElseThrow();
+    Impact hit =
+        new SweptCircle(first, v)
+            .cast(new SweptCircle(second, new Vec2(-1e308, -1e308)), 1)
+            .orElseThrow();
     assertThat(hit.approachSpeed() / 1e308).isCloseTo(Math.sqrt(2), within(1e-12));
   }
 
@@ -156,7 +159,7 @@ class MagnitudeTest {
   void theNormalOfASpeckIsAccurate(double radius) {
     Circle circle = new Circle(1, 0.6 * radius, radius / 2);
     Circle speck = new Circle(0, 0, radius / 2);
-    Impact hit = SweptCircle.cast(circle, new Vec2(-1, 0), speck, 1).orElseThrow();
+    Impact hit = new SweptCircle(circle, new Vec2(-1, 0)).cast(speck, 1).orElseThrow();
     assertThat(hit.normal().x()).isCloseTo(0.8, within(1e-15));
     assertThat(hit.normal().y()).isCloseTo(0.6, within(1e-15));
   }
@@ -167,7 +170,7 @@ class MagnitudeTest {
   void theNormalAfterALongWayIsAccurate(double way) {
     Circle circle = new Circle(way, 0.6, 0.5);
     Impact hit =
-        SweptCircle.cast(circle, new Vec2(-1, 0), new Circle(0, 0, 0.5), way).orElseThrow();
+        new SweptCircle(circle, new Vec2(-1, 0)).cast(new Circle(0, 0, 0.5), way).orElseThrow();
     assertThat(hit.normal().x()).isCloseTo(0.8, within(1e-15));
     assertThat(hit.normal().y()).isCloseTo(0.6, within(1e-15));
   }

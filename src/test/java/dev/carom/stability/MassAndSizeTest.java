@@ -59,7 +59,8 @@ class MassAndSizeTest {
     double x = giant / 7;
     double y = Math.sqrt((giant + grain) * (giant + grain) - x * x) + gap;
     double textbook = Naive.pointTime(x, y, giant + grain, new Vec2(0, -1));
-    double exact = SweptCircle.pair(x, y, grain, 0, -1, 0, 0, giant, 0, 0, 9);
+    double exact =
+        new SweptCircle(x, y, grain, 0, -1).timeToCircle(new SweptCircle(0, 0, giant, 0, 0), 9);
     assertThat(Math.abs(textbook - exact)).as("the textbook's error").isGreaterThan(1e-10);
 
     World world =

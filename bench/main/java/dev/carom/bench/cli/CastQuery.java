@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 package dev.carom.bench.cli;
 
-import dev.carom.Circle;
 import dev.carom.Impact;
 import dev.carom.Line;
 import dev.carom.SweptCircle;
@@ -11,31 +10,20 @@ import java.util.Optional;
 
 /** The two questions that a file can ask, and the columns in which it does. */
 enum CastQuery {
-  /** A moving circle, which may be accelerated, against a line, which may move instead. */
+  /** A moving circle, which may be accelerated, against a line, which may move, too. */
   LINE("ax,ay,bx,by,px,py,r,vx,vy,T", "ux,uy,gx,gy") {
     @Override
     Optional<Impact> cast(double[] q) {
-      Circle circle = new Circle(q[4], q[5], q[6]);
-      Line line = new Line(q[0], q[1], q[2], q[3]);
-      Vec2 v = new Vec2(q[7], q[8]);
-      if (q[12] == 0 && q[13] == 0) {
-        return SweptCircle.cast(circle, v, line, new Vec2(q[10], q[11]), q[9]);
-      }
-      return SweptCircle.cast(circle, v, new Vec2(q[12], q[13]), line, q[9]);
-    }
-
-    @Override
-    boolean asksTooMuch(double[] q) {
-      return (q[10] != 0 || q[11] != 0) && (q[12] != 0 || q[13] != 0);
+      return new SweptCircle(q[4], q[5], q[6], q[7], q[8], q[12], q[13])
+          .cast(new Line(q[0], q[1], q[2], q[3]), new Vec2(q[10], q[11]), q[9]);
     }
   },
   /** Two moving circles; one acceleration of both has no effect on the answer. */
   PAIR("x1,y1,r1,vx1,vy1,x2,y2,r2,vx2,vy2,T", "gx,gy") {
     @Override
     Optional<Impact> cast(double[] q) {
-      Circle first = new Circle(q[0], q[1], q[2]);
-      Circle second = new Circle(q[5], q[6], q[7]);
-      return SweptCircle.cast(first, new Vec2(q[3], q[4]), second, new Vec2(q[8], q[9]), q[10]);
+      return new SweptCircle(q[0], q[1], q[2], q[3], q[4])
+          .cast(new SweptCircle(q[5], q[6], q[7], q[8], q[9]), q[10]);
     }
   };
 
@@ -55,11 +43,6 @@ enum CastQuery {
   /** The names of further columns that have a meaning; a file may have them anywhere, or not. */
   List<String> optional() {
     return List.of(optional.split(","));
-  }
-
-  /** Whether a line moves and the circle is accelerated: there is no detector for both. */
-  boolean asksTooMuch(double[] query) {
-    return false;
   }
 
   /** Asks the question: one number for each column of the header, then for each optional one. */

@@ -95,12 +95,6 @@ final class CastReader {
     for (int i = 0; i < query.length; i++) {
       query[i] = places[i] < 0 ? 0 : number(columns.get(i), places[i]);
     }
-    if (kind.asksTooMuch(query)) {
-      throw malformed(
-          places[columns.indexOf("ux")],
-          "ux, uy and gx, gy are not 0",
-          "one of the two pairs to be 0");
-    }
     queries.add(query);
   }
 

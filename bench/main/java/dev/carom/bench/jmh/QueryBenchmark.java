@@ -67,17 +67,8 @@ public class QueryBenchmark {
     double uy = aimed[k + 5];
     double a = middle - HALF_LINE;
     double b = middle + HALF_LINE;
-    return SweptCircle.line(
-        aimed[k],
-        aimed[k + 1],
-        RADIUS,
-        sign * aimed[k + 2],
-        sign * aimed[k + 3],
-        a * ux,
-        a * uy,
-        b * ux,
-        b * uy,
-        1);
+    return new SweptCircle(aimed[k], aimed[k + 1], RADIUS, sign * aimed[k + 2], sign * aimed[k + 3])
+        .timeToLine(a * ux, a * uy, b * ux, b * uy, 1);
   }
 
   /** A circle that hits the inside of a line: the time of impact. */
@@ -110,17 +101,8 @@ public class QueryBenchmark {
     double bx = ax + HALF_LINE * aimed[k + 4];
     double by = ay + HALF_LINE * aimed[k + 5];
     boolean away = vx * (by - ay) - vy * (bx - ax) >= 0;
-    return SweptCircle.line(
-        aimed[k],
-        aimed[k + 1],
-        RADIUS,
-        vx,
-        vy,
-        ax,
-        ay,
-        away ? bx : 2 * ax - bx,
-        away ? by : 2 * ay - by,
-        1);
+    return new SweptCircle(aimed[k], aimed[k + 1], RADIUS, vx, vy)
+        .timeToLine(ax, ay, away ? bx : 2 * ax - bx, away ? by : 2 * ay - by, 1);
   }
 
   /** A circle that passes the end of a line by a hundredth of its radius: infinity. */
@@ -143,8 +125,8 @@ public class QueryBenchmark {
   @Benchmark
   public double pegMiss() {
     int k = query();
-    return SweptCircle.peg(
-        aimed[k], aimed[k + 1], RADIUS, -aimed[k + 2], -aimed[k + 3], 0, 0, RADIUS, 1);
+    return new SweptCircle(aimed[k], aimed[k + 1], RADIUS, -aimed[k + 2], -aimed[k + 3])
+        .timeToPeg(0, 0, RADIUS, 1);
   }
 
   /** Two moving circles that fly apart: infinity. */
@@ -153,23 +135,24 @@ public class QueryBenchmark {
     int k = query();
     double vx = -aimed[k + 2] / 2;
     double vy = -aimed[k + 3] / 2;
-    return SweptCircle.pair(aimed[k], aimed[k + 1], RADIUS, vx, vy, 0, 0, RADIUS, -vx, -vy, 1);
+    return new SweptCircle(aimed[k], aimed[k + 1], RADIUS, vx, vy)
+        .timeToCircle(new SweptCircle(0, 0, RADIUS, -vx, -vy), 1);
   }
 
   /** A circle that is aimed at a peg: the time of impact. */
   @Benchmark
   public double peg() {
     int k = query();
-    return SweptCircle.peg(
-        aimed[k], aimed[k + 1], RADIUS, aimed[k + 2], aimed[k + 3], 0, 0, RADIUS, 1);
+    return new SweptCircle(aimed[k], aimed[k + 1], RADIUS, aimed[k + 2], aimed[k + 3])
+        .timeToPeg(0, 0, RADIUS, 1);
   }
 
   /** A circle within bounds that flies away from their middle: the time of impact. */
   @Benchmark
   public double bounds() {
     int k = query();
-    return SweptCircle.bounds(
-        aimed[k], aimed[k + 1], RADIUS, -aimed[k + 2], -aimed[k + 3], -130, -130, 130, 130, 1);
+    return new SweptCircle(aimed[k], aimed[k + 1], RADIUS, -aimed[k + 2], -aimed[k + 3])
+        .timeToBounds(-130, -130, 130, 130, 1);
   }
 
   /** Two moving circles that are aimed at each other: the time of impact. */
@@ -178,7 +161,8 @@ public class QueryBenchmark {
     int k = query();
     double vx = aimed[k + 2] / 2;
     double vy = aimed[k + 3] / 2;
-    return SweptCircle.pair(aimed[k], aimed[k + 1], RADIUS, vx, vy, 0, 0, RADIUS, -vx, -vy, 1);
+    return new SweptCircle(aimed[k], aimed[k + 1], RADIUS, vx, vy)
+        .timeToCircle(new SweptCircle(0, 0, RADIUS, -vx, -vy), 1);
   }
 
   /**

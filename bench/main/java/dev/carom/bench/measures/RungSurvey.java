@@ -70,12 +70,14 @@ public final class RungSurvey {
   private static double time(Query query) {
     double[] n = query.numbers();
     if (query instanceof SegmentQuery) {
-      return SweptCircle.line(n[4], n[5], n[6], n[7], n[8], n[0], n[1], n[2], n[3], n[9]);
+      return new SweptCircle(n[4], n[5], n[6], n[7], n[8]).timeToLine(n[0], n[1], n[2], n[3], n[9]);
     }
     if (query instanceof WallQuery) {
-      return SweptCircle.bounds(n[0], n[1], n[2], n[3], n[4], n[5], n[6], n[7], n[8], n[9]);
+      return new SweptCircle(n[0], n[1], n[2], n[3], n[4])
+          .timeToBounds(n[5], n[6], n[7], n[8], n[9]);
     }
     PairQuery pair = (PairQuery) query;
-    return SweptCircle.pair(n[0], n[1], n[2], n[3], n[4], n[5], n[6], n[7], n[8], n[9], pair.end());
+    return new SweptCircle(n[0], n[1], n[2], n[3], n[4])
+        .timeToCircle(new SweptCircle(n[5], n[6], n[7], n[8], n[9]), pair.end());
   }
 }

@@ -18,6 +18,6 @@ final class CaromDetector extends LineDetector {
       double bx,
       double by,
       double end) {
-    return SweptCircle.line(px, py, r, vx, vy, ax, ay, bx, by, end);
+    return new SweptCircle(px, py, r, vx, vy).timeToLine(ax, ay, bx, by, end);
   }
 }

@@ -16,10 +16,10 @@ public enum PrecisionCounter {
   /** Square roots of doubles: one for each time of impact, except at walls. */
   ROOTS,
 
-  /** Times of impact, including those at walls, that double-double could not round. */
-  DOUBTFUL_TIMES,
+  /** Corrections of a time of impact after the first one, except at walls. */
+  STEPS,
 
-  /** Those among them that sums without rounding left open, too. */
+  /** Times of impact, including those at walls, that double-double could not round. */
   EXACT_TIMES,
 
   /** Normals of a moving disk that double-double could not round. */

@@ -68,7 +68,7 @@ final class CastTarget {
   RealRoot exactTime(MovingCircle m, int itsContact) {
     return isFalling()
         ? FallSweep.exact(fall(m)).first(NEVER)
-        : FallSweep.exactTime(fall(m), itsContact);
+        : RealRoot.of(FallSweep.exactTime(fall(m), itsContact));
   }
 
   /**

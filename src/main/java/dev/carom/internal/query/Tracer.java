@@ -1,9 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 package dev.carom.internal.query;
 
-import dev.carom.internal.exact.Dyadic;
 import dev.carom.internal.exact.ExactBudget;
-import dev.carom.internal.exact.RealRoot;
+import dev.carom.internal.exact.ExactTime;
 import dev.carom.internal.response.LoneContact;
 import dev.carom.internal.response.ObstacleResponse;
 import dev.carom.internal.response.Shock;
@@ -102,11 +101,11 @@ public final class Tracer {
 
   /** Whether a contact is exactly later than a time to which it rounds. */
   private boolean isLater(MovingCircle body, double time) {
-    return exactTime(body).compare(Dyadic.of(time)) > 0;
+    return exactTime(body).compare(ExactTime.of(time)) > 0;
   }
 
   /** The exact time of the contact that was found. */
-  RealRoot exactTime(MovingCircle body) {
+  ExactTime exactTime(MovingCircle body) {
     return search.exactTime(body);
   }
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 package dev.carom.internal.search;
 
-import dev.carom.internal.exact.RealRoot;
+import dev.carom.internal.exact.ExactTime;
 import dev.carom.internal.state.CodeSet;
 import dev.carom.internal.state.Codes;
 import dev.carom.internal.state.LiveCodes;
@@ -171,7 +171,7 @@ public final class FlightSearch {
   }
 
   /** The exact time of the next impact of a circle that flies straight on. */
-  public RealRoot exactTime(MovingCircle m) {
+  public ExactTime exactTime(MovingCircle m) {
     return straight.exactTime(m);
   }
 

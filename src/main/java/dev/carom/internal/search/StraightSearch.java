@@ -3,7 +3,7 @@ package dev.carom.internal.search;
 
 import static dev.carom.internal.exact.Fma.fma;
 
-import dev.carom.internal.exact.RealRoot;
+import dev.carom.internal.exact.ExactTime;
 import dev.carom.internal.state.CodeSet;
 import dev.carom.internal.state.Codes;
 import dev.carom.internal.state.MovingCircle;
@@ -366,16 +366,16 @@ final class StraightSearch extends CellWalk {
 
   @Override
   int compareExactly(int code, int contact) {
-    return exactTime(code, contact).order(exactTime(bestCode, bestContact));
+    return exactTime(code, contact).compare(exactTime(bestCode, bestContact));
   }
 
   /** The exact time of the next impact of a circle. */
-  RealRoot exactTime(MovingCircle body) {
+  ExactTime exactTime(MovingCircle body) {
     start(body);
     return exactTime(body.next, body.contact);
   }
 
-  private RealRoot exactTime(int code, int contact) {
+  private ExactTime exactTime(int code, int contact) {
     if (Codes.isWall(code)) {
       boolean vertical = Codes.isVertical(code);
       return WallSweep.exactTime(vertical ? px : py, r, vertical ? vx : vy, obstacles.walls[code]);

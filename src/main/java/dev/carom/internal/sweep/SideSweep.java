@@ -6,6 +6,7 @@ import static dev.carom.internal.exact.DoubleDouble.differenceTail;
 import static dev.carom.internal.exact.DoubleDouble.productTail;
 import static dev.carom.internal.exact.DoubleDouble.sumTail;
 
+import dev.carom.internal.exact.ExactTime;
 import dev.carom.internal.exact.PrecisionCounter;
 
 /**
@@ -47,7 +48,7 @@ public final class SideSweep {
     double rough = Math.max(0, (c - scaledRadius) / speed);
     double t = refined(side, px, py, r, vx, vy, ax, ay, bx, by, ux, uy, rough, T);
     return t == T && t < Double.POSITIVE_INFINITY
-        ? settled(side, px, py, r, vx, vy, ax, ay, bx, by, ux, uy, T)
+        ? exact(side, px, py, r, vx, vy, ax, ay, bx, by, ux, uy).upTo(t, T)
         : t > T ? Double.POSITIVE_INFINITY : t;
   }
 
@@ -91,15 +92,16 @@ public final class SideSweep {
         return low;
       }
       t = Math.max(0, t + step);
+      PrecisionCounter.STEPS.add();
     }
-    return settled(side, px, py, r, vx, vy, ax, ay, bx, by, ux, uy, Double.POSITIVE_INFINITY);
+    return exact(side, px, py, r, vx, vy, ax, ay, bx, by, ux, uy).nearest();
   }
 
-  private static double settled(
+  private static ExactTime exact(
       int side, double px, double py, double r, double vx, double vy, double ax, double ay,
-      double bx, double by, double ux, double uy, double T) {
+      double bx, double by, double ux, double uy) {
     Fall fall = new Fall().flight(px, py, r, vx, vy, 0, 0).line(ax, ay, bx, by, ux, uy);
-    return FallSweep.settled(fall, side > 0 ? Contact.LEFT : Contact.RIGHT, T);
+    return FallSweep.exactTime(fall, side > 0 ? Contact.LEFT : Contact.RIGHT);
   }
 
   /**

@@ -39,8 +39,8 @@ class CollisionPredictorTest {
   }
 
   private static double meeting(double[] a, double[] b) {
-    return SweptCircle.pair(
-        a[0], a[1], a[2], a[3], a[4], b[0], b[1], b[2], b[3], b[4], Double.POSITIVE_INFINITY);
+    return new SweptCircle(a[0], a[1], a[2], a[3], a[4])
+        .timeToCircle(new SweptCircle(b[0], b[1], b[2], b[3], b[4]), Double.POSITIVE_INFINITY);
   }
 
   private static String text(double[]... circles) {

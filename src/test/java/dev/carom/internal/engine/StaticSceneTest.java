@@ -57,7 +57,8 @@ class StaticSceneTest {
     }
     World world = new World(scene.build());
     assertThat(firstImpact(world))
-        .isEqualTo(SweptCircle.pair(-50, 9.5, 1, 1, 0, 0, 0, 10, 0, 0, 100));
+        .isEqualTo(
+            new SweptCircle(-50, 9.5, 1, 1, 0).timeToCircle(new SweptCircle(0, 0, 10, 0, 0), 100));
   }
 
   /** A new flight would round the place where it begins. */

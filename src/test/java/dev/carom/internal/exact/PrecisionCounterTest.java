@@ -41,19 +41,19 @@ class PrecisionCounterTest {
    * @param doubtful decisions that plain doubles left open
    * @param exact of them, those that double-double left open too
    * @param roots of doubles
-   * @param doubtfulTimes times of impact that double-double could not round
-   * @param times of them, those that sums without rounding left open too
+   * @param steps corrections of times of impact after the first one
+   * @param times of impact that double-double could not round
    * @param normals likewise
    */
   private record Counts(
-      long doubtful, long exact, long roots, long doubtfulTimes, long times, long normals) {
+      long doubtful, long exact, long roots, long steps, long times, long normals) {
 
     static Counts now() {
       return new Counts(
           PrecisionCounter.DOUBTFUL_DECISIONS.count(),
           PrecisionCounter.EXACT_DECISIONS.count(),
           PrecisionCounter.ROOTS.count(),
-          PrecisionCounter.DOUBTFUL_TIMES.count(),
+          PrecisionCounter.STEPS.count(),
           PrecisionCounter.EXACT_TIMES.count(),
           PrecisionCounter.EXACT_NORMALS.count());
     }
@@ -68,7 +68,7 @@ class PrecisionCounterTest {
           after.doubtful - before.doubtful,
           after.exact - before.exact,
           after.roots - before.roots,
-          after.doubtfulTimes - before.doubtfulTimes,
+          after.steps - before.steps,
           after.times - before.times,
           after.normals - before.normals);
     }
@@ -77,15 +77,9 @@ class PrecisionCounterTest {
   @ParameterizedTest
   @CsvFileSource(resources = "/rungs.csv", useHeadersInDisplayName = true)
   void asManyClimbAsBefore(
-      String family,
-      long doubtful,
-      long exact,
-      long roots,
-      long doubtfulTimes,
-      long times,
-      long normals) {
+      String family, long doubtful, long exact, long roots, long steps, long times, long normals) {
     assertThat(Counts.of(new Draw(family.hashCode()), question(family)))
-        .isEqualTo(new Counts(doubtful, exact, roots, doubtfulTimes, times, normals));
+        .isEqualTo(new Counts(doubtful, exact, roots, steps, times, normals));
   }
 
   private static Consumer<Draw> question(String name) {
@@ -105,14 +99,15 @@ class PrecisionCounterTest {
     if (query instanceof SegmentQuery) {
       Circle circle = new Circle(n[4], n[5], n[6]);
       Line line = new Line(n[0], n[1], n[2], n[3]);
-      SweptCircle.cast(circle, new Vec2(n[7], n[8]), line, n[9]);
+      new SweptCircle(circle, new Vec2(n[7], n[8])).cast(line, n[9]);
     } else if (query instanceof PairQuery) {
       Circle first = new Circle(n[0], n[1], n[2]);
       Circle second = new Circle(n[5], n[6], n[7]);
-      SweptCircle.cast(first, new Vec2(n[3], n[4]), second, new Vec2(n[8], n[9]), n[10]);
+      new SweptCircle(first, new Vec2(n[3], n[4]))
+          .cast(new SweptCircle(second, new Vec2(n[8], n[9])), n[10]);
       first.overlaps(second);
     } else if (query instanceof WallQuery) {
-      SweptCircle.bounds(n[0], n[1], n[2], n[3], n[4], n[5], n[6], n[7], n[8], n[9]);
+      new SweptCircle(n[0], n[1], n[2], n[3], n[4]).timeToBounds(n[5], n[6], n[7], n[8], n[9]);
     }
   }
 

@@ -104,7 +104,7 @@ class StraightSearchTest {
       double ay = py + way * vy - vx * reach;
       double bx = ax + vy / speed;
       double by = ay - vx / speed;
-      boolean hit = SweptCircle.line(px, py, r, vx, vy, ax, ay, bx, by, 9) <= 9;
+      boolean hit = new SweptCircle(px, py, r, vx, vy).timeToLine(ax, ay, bx, by, 9) <= 9;
       hits += hit ? 1 : 0;
       World world =
           new World(Scene.builder().line(ax, ay, bx, by).circle(px, py, r, vx, vy).build());
@@ -126,17 +126,8 @@ class StraightSearchTest {
       Circle circle = new Circle(-5 * unit, random.nextDouble() * unit, r * unit);
       Vec2 v = new Vec2(unit * (0.5 + random.nextDouble()), unit * (random.nextDouble() - 0.5));
       double t =
-          SweptCircle.line(
-              circle.x(),
-              circle.y(),
-              circle.radius(),
-              v.x(),
-              v.y(),
-              line.ax(),
-              line.ay(),
-              line.bx(),
-              line.by(),
-              20);
+          new SweptCircle(circle.x(), circle.y(), circle.radius(), v.x(), v.y())
+              .timeToLine(line.ax(), line.ay(), line.bx(), line.by(), 20);
       boolean hit = t <= 20;
       hits += hit ? 1 : 0;
       SceneBuilder scene = Scene.builder().line(line.ax(), line.ay(), line.bx(), line.by());
@@ -326,7 +317,7 @@ class StraightSearchTest {
       SceneBuilder scene = Scene.builder().circle(0, 0, 1, 1, 0);
       for (Line l : lines) {
         scene.line(l.ax(), l.ay(), l.bx(), l.by());
-        double t = SweptCircle.line(0, 0, 1, 1, 0, l.ax(), l.ay(), l.bx(), l.by(), 99);
+        double t = new SweptCircle(0, 0, 1, 1, 0).timeToLine(l.ax(), l.ay(), l.bx(), l.by(), 99);
         if (t < first) {
           first = t;
           id = lines.indexOf(l);
@@ -371,8 +362,8 @@ class StraightSearchTest {
     assertThat(world.impacts().kind(0)).isEqualTo(Kind.LINE);
     assertThat(world.impacts().time(0))
         .isEqualTo(
-            SweptCircle.line(
-                -far, -far, far / 8, 1e150, 1e150, far / 4, -far / 4, -far / 4, far / 4, 1e51));
+            new SweptCircle(-far, -far, far / 8, 1e150, 1e150)
+                .timeToLine(far / 4, -far / 4, -far / 4, far / 4, 1e51));
   }
 
   /** Among others, so that a grid lists them; the square of their length underflows. */
@@ -394,8 +385,8 @@ class StraightSearchTest {
       assertThat(log.size()).isPositive();
       assertThat(log.time(0))
           .isEqualTo(
-              SweptCircle.line(
-                  -30, y, 10, 1, 0, 0, 0, world.line(0).bx(), world.line(0).by(), 100));
+              new SweptCircle(-30, y, 10, 1, 0)
+                  .timeToLine(0, 0, world.line(0).bx(), world.line(0).by(), 100));
     }
   }
 
@@ -419,7 +410,8 @@ class StraightSearchTest {
         int by = ay + random.nextInt(7) - 3;
         scene.line(ax * unit, ay * unit, bx * unit, by * unit);
         double time =
-            SweptCircle.line(x, y, unit, 0, v, ax * unit, ay * unit, bx * unit, by * unit, 1e300);
+            new SweptCircle(x, y, unit, 0, v)
+                .timeToLine(ax * unit, ay * unit, bx * unit, by * unit, 1e300);
         first = Math.min(first, time);
       }
       World world = new World(scene.circle(x, y, unit, 0, v).build());

@@ -73,7 +73,7 @@ class ContactTest {
       Vec2 at = place(scale);
       Circle circle = new Circle(at.x(), at.y(), random.nextInt(4) * 0.5 * scale);
       Vec2 v = aimed(at, scale);
-      Optional<Impact> impact = SweptCircle.cast(circle, v, obstacle, 20);
+      Optional<Impact> impact = new SweptCircle(circle, v).cast(obstacle, 20);
       Trajectory path = Resolver.of(List.of(obstacle)).trace(circle, v, 20);
       assertThat(path.impacts().isEmpty())
           .as("%s %s %s", circle, v, obstacle)
@@ -110,7 +110,7 @@ class ContactTest {
       World world = new World(scene.build());
       world.step(0);
       ImpactLog log = world.impacts();
-      Optional<Impact> impact = SweptCircle.cast(first, v, second, u, 0);
+      Optional<Impact> impact = new SweptCircle(first, v).cast(new SweptCircle(second, u), 0);
       assertThat(log.size()).isEqualTo(impact.isPresent() ? 1 : 0);
       if (impact.isPresent()) {
         hits++;

@@ -83,9 +83,10 @@ class SideSweepTest {
     double[] n = Stream.of(px, py, r, vx, vy, bx, by).mapToDouble(Double::parseDouble).toArray();
     Fall fall = Falls.line(n[0], n[1], n[2], n[3], n[4], 0, 0, 0, 0, n[5], n[6], 0, 0);
     double time = FallSweep.exactTime(fall, Contact.LEFT).nearest();
-    assertThat(SweptCircle.line(n[0], n[1], n[2], n[3], n[4], 0, 0, n[5], n[6], 1e9))
+    assertThat(new SweptCircle(n[0], n[1], n[2], n[3], n[4]).timeToLine(0, 0, n[5], n[6], 1e9))
         .isEqualTo(time);
-    assertThat(SweptCircle.movingLine(n[0], n[1], n[2], 0, 0, 0, 0, n[5], n[6], -n[3], -n[4], 1e9))
+    assertThat(
+            new SweptCircle(n[0], n[1], n[2], 0, 0).timeToLine(0, 0, n[5], n[6], -n[3], -n[4], 1e9))
         .isEqualTo(time);
   }
 
@@ -103,7 +104,7 @@ class SideSweepTest {
     Fall fall = Falls.line(0, py, r, 0, vy, 0, 0, ax, ay, bx, by, 0, 0);
     double time = FallSweep.exactTime(fall, Contact.LEFT).nearest();
     assertThat(time).isCloseTo(1.7, within(1e-15));
-    assertThat(SweptCircle.line(0, py, r, 0, vy, ax, ay, bx, by, 9)).isEqualTo(time);
-    assertThat(SweptCircle.line(0, py, r, 0, vy, ax, ay, bx, by, 1.71)).isEqualTo(time);
+    assertThat(new SweptCircle(0, py, r, 0, vy).timeToLine(ax, ay, bx, by, 9)).isEqualTo(time);
+    assertThat(new SweptCircle(0, py, r, 0, vy).timeToLine(ax, ay, bx, by, 1.71)).isEqualTo(time);
   }
 }

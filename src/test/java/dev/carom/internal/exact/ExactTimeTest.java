@@ -22,14 +22,12 @@ import org.junit.jupiter.params.provider.CsvSource;
 import org.junit.jupiter.params.provider.MethodSource;
 
 /** The order of exact times of impact, beside that of the oracle, which compares their digits. */
-class TimeOrderTest {
+class ExactTimeTest {
 
   private static final int QUERIES = 25;
 
-  private static RealRoot time(long p, long q, long d) {
-    return RealRoot.ofStraight(
-        Polynomial.of(
-            Dyadic.of((double) (p * p - q)), Dyadic.of(-2.0 * p * d), Dyadic.of((double) (d * d))));
+  private static ExactTime time(long p, long q, long d) {
+    return new ExactTime(Dyadic.of((double) p), Dyadic.of((double) q), Dyadic.of((double) d));
   }
 
   /** (p - sqrt(q)) / d, twice, and the sign of their difference. */
@@ -54,17 +52,16 @@ class TimeOrderTest {
     "30, 18, 3, 40, 0, 4, -1"
   })
   void signs(long p, long q, long d, long p2, long q2, long d2, int sign) {
-    assertThat(time(p, q, d).order(time(p2, q2, d2))).isEqualTo(sign);
-    assertThat(time(p2, q2, d2).order(time(p, q, d))).isEqualTo(-sign);
-    assertThat(time(p, q, d).order(time(p, q, d))).isZero();
+    assertThat(time(p, q, d).compare(time(p2, q2, d2))).isEqualTo(sign);
+    assertThat(time(p2, q2, d2).compare(time(p, q, d))).isEqualTo(-sign);
+    assertThat(time(p, q, d).compare(time(p, q, d))).isZero();
   }
 
   @Test
   void doublesAreTimesToo() {
-    assertThat(RealRoot.at(Dyadic.ZERO).order(RealRoot.at(Dyadic.ZERO))).isZero();
-    assertThat(RealRoot.at(Dyadic.ZERO).order(RealRoot.at(Dyadic.of(Double.MIN_VALUE))))
-        .isEqualTo(-1);
-    assertThat(RealRoot.at(Dyadic.of(1.5)).order(time(3, 0, 2))).isZero();
+    assertThat(ExactTime.ZERO.compare(ExactTime.of(0))).isZero();
+    assertThat(ExactTime.ZERO.compare(ExactTime.of(Double.MIN_VALUE))).isEqualTo(-1);
+    assertThat(ExactTime.of(1.5).compare(time(3, 0, 2))).isZero();
   }
 
   static Stream<Family> families() {
@@ -88,9 +85,9 @@ class TimeOrderTest {
       alike.removeIf(each -> !each.truth().hit());
       for (Query other : alike) {
         int order = alike.get(0).truth().moment().compareTo(other.truth().moment());
-        RealRoot time = exactTime(alike.get(0));
-        assertThat(time.order(exactTime(other))).as("%s%n%s", query, other).isEqualTo(order);
-        assertThat(exactTime(other).order(time)).as("%s%n%s", other, query).isEqualTo(-order);
+        ExactTime time = exactTime(alike.get(0));
+        assertThat(time.compare(exactTime(other))).as("%s%n%s", query, other).isEqualTo(order);
+        assertThat(exactTime(other).compare(time)).as("%s%n%s", other, query).isEqualTo(-order);
       }
     }
   }
@@ -125,7 +122,7 @@ class TimeOrderTest {
     return true;
   }
 
-  private static RealRoot exactTime(Query query) {
+  private static ExactTime exactTime(Query query) {
     Fall fall;
     if (query instanceof SegmentQuery q) {
       fall =
