@@ -53,6 +53,10 @@ class AllocationTest {
     SweptCircle first = new SweptCircle(0, 0, 1, 1, 0.01);
     SweptCircle firstFalling = first.withAcceleration(0, -1);
     SweptCircle touching = new SweptCircle(5, TOUCHING, 1, 0, 1);
+    SweptSphere sphere = new SweptSphere(0, 0, 0, 1, 1, 0, 0);
+    SweptSphere[] spheres = new SweptSphere[100];
+    Arrays.setAll(spheres, i -> new SweptSphere(9 + i, 0, 1, 2, 0, 0, 0));
+    SweptSphere touchingSphere = new SweptSphere(0, 0, TOUCHING, 0, -1, -1, 1);
     Runnable queries =
         () -> {
           for (int i = 0; i < 20_000; i++) {
@@ -66,8 +70,8 @@ class AllocationTest {
             sum += falling[i % 12].timeToBounds(0, 0, 10, 30, 1e6);
             sum += firstFalling.timeToPeg(9 + i % 100, -5, 2, 1e6) > 0 ? 1 : 0;
             sum += firstFalling.timeToCircle(others[i % 100], 1e6) > 0 ? 1 : 0;
-            sum += SweptSphere.pair(0, 0, 0, 1, 1, 0, 0, 9 + i % 100, 0, 1, 2, 0, 0, 0, 1e6);
-            sum += SweptSphere.pair(0, 0, TOUCHING, 1, 1, 1, 1, 0, 0, 0, 0, 0, 0, 0, 1) > 0 ? 1 : 0;
+            sum += sphere.timeToSphere(spheres[i % 100], 1e6);
+            sum += sphere.timeToSphere(touchingSphere, 1) > 0 ? 1 : 0;
           }
         };
     for (int i = 0; i < 20; i++) {

@@ -25,6 +25,7 @@ class NullTest {
   private static final Circle CIRCLE = new Circle(1, 2, 3);
   private static final Line LINE = new Line(1, 2, 3, 4);
   private static final Vec2 V = new Vec2(1, 2);
+  private static final SweptSphere SPHERE = new SweptSphere(1, 2, 3, 1, 0, 0, 0);
   private static final SweptCircle MOVING = new SweptCircle(CIRCLE, V);
   private static final Scene EMPTY = Scene.builder().build();
   private static final Resolver RESOLVER = EMPTY.resolver();
@@ -48,7 +49,11 @@ class NullTest {
         call("other", () -> MOVING.timeToCircle(null, 1)),
         call("other", () -> CIRCLE.overlaps(null)),
         call("other", () -> CIRCLE.separation(null)),
-        call("velocities", () -> SweptSphere.respond(0, 0, 0, 1, 1, 1, 1, 1, 1, null)),
+        call("other", () -> SPHERE.timeToSphere(null, 1)),
+        call("other", () -> SPHERE.overlaps(null)),
+        call("first", () -> SweptSphere.respond(null, 1, SPHERE, 1, 1, new double[6])),
+        call("second", () -> SweptSphere.respond(SPHERE, 1, null, 1, 1, new double[6])),
+        call("velocities", () -> SweptSphere.respond(SPHERE, 1, SPHERE, 1, 1, null)),
         call("obstacles", () -> Resolver.of(null)),
         call("obstacles[0]", () -> Resolver.of(Collections.<Obstacle>singletonList(null))),
         call("velocities", () -> Resolver.respond(0, 0, 1, 1, 1, 1, 1, null)),

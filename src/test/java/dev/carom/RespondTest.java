@@ -50,7 +50,13 @@ class RespondTest {
       double[] before = v.clone();
       double[] w = {v[0], v[1], 0, v[2], v[3], 0};
       Resolver.respond(n[0], n[1], 2, n[2], n[3], 3, 0.5, v);
-      SweptSphere.respond(n[0], n[1], 0, 2, n[2], n[3], 0, 3, 0.5, w);
+      SweptSphere.respond(
+          new SweptSphere(n[0], n[1], 0, 0, w[0], w[1], w[2]),
+          2,
+          new SweptSphere(n[2], n[3], 0, 0, w[3], w[4], w[5]),
+          3,
+          0.5,
+          w);
       assertThat(v).containsExactly(w[0], w[1], w[3], w[4]);
       changed += Arrays.equals(v, before) ? 0 : 1;
     }

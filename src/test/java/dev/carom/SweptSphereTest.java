@@ -9,8 +9,8 @@ import dev.carom.oracle.Families;
 import dev.carom.oracle.Family;
 import dev.carom.oracle.SphereFamilies;
 import dev.carom.oracle.SphereQuery;
-import java.util.Arrays;
 import java.util.stream.Stream;
+import org.assertj.core.api.ThrowableAssert.ThrowingCallable;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
@@ -32,10 +32,16 @@ class SweptSphereTest {
     return Families.all().stream().filter(family -> family.name().startsWith("circ_"));
   }
 
+  private static SweptSphere first(double... n) {
+    return new SweptSphere(n[0], n[1], n[2], n[3], n[4], n[5], n[6]);
+  }
+
+  private static SweptSphere second(double... n) {
+    return new SweptSphere(n[7], n[8], n[9], n[10], n[11], n[12], n[13]);
+  }
+
   private static double time(double... n) {
-    return SweptSphere.pair(
-        n[0], n[1], n[2], n[3], n[4], n[5], n[6], n[7], n[8], n[9], n[10], n[11], n[12], n[13],
-        n[14]);
+    return first(n).timeToSphere(second(n), n[14]);
   }
 
   @ParameterizedTest
@@ -50,9 +56,7 @@ class SweptSphereTest {
       hits += truth < Double.POSITIVE_INFINITY ? 1 : 0;
       assertThat(time(q.numbers())).as("%s", (Object) q.numbers()).isEqualTo(truth);
       double[] n = q.numbers();
-      assertThat(SweptSphere.overlaps(n[0], n[1], n[2], n[3], n[7], n[8], n[9], n[10]))
-          .as("%s", (Object) n)
-          .isEqualTo(q.overlaps());
+      assertThat(first(n).overlaps(second(n))).as("%s", (Object) n).isEqualTo(q.overlaps());
     }
     assertThat(hits).isPositive();
   }
@@ -61,10 +65,22 @@ class SweptSphereTest {
   @Test
   void alsoWhereDifferencesAreBeyondTheDoubles() {
     double[] v = {3, 5, 7, -2, 1, 4};
-    SweptSphere.respond(-1.5e308, 0, 0, 2, 1.5e308, 0, 0, 2, 1, v);
+    SweptSphere.respond(
+        new SweptSphere(-1.5e308, 0, 0, 0, v[0], v[1], v[2]),
+        2,
+        new SweptSphere(1.5e308, 0, 0, 0, v[3], v[4], v[5]),
+        2,
+        1,
+        v);
     assertThat(v).containsExactly(-2, 5, 7, 3, 1, 4);
     double[] fast = {1.5e308, 5, 7, -1.25e308, 1, 4};
-    SweptSphere.respond(0, 0, 0, 2, 10, 0, 0, 2, 1, fast);
+    SweptSphere.respond(
+        new SweptSphere(0, 0, 0, 0, fast[0], fast[1], fast[2]),
+        2,
+        new SweptSphere(10, 0, 0, 0, fast[3], fast[4], fast[5]),
+        2,
+        1,
+        fast);
     assertThat(fast).containsExactly(-1.25e308, 5, 7, 1.5e308, 1, 4);
   }
 
@@ -77,7 +93,7 @@ class SweptSphereTest {
       double m2 = 1 + n[10];
       double[] v = {n[4], n[5], n[6], n[11], n[12], n[13]};
       double[] before = v.clone();
-      SweptSphere.respond(n[0], n[1], n[2], m1, n[7], n[8], n[9], m2, 1, v);
+      SweptSphere.respond(first(n), m1, second(n), m2, 1, v);
       double scale = energy(m1, m2, before);
       assertThat(Math.abs(energy(m1, m2, v) - scale)).isLessThan(16 * 0x1p-53 * scale);
       double momentum = Math.sqrt(2 * scale * (m1 + m2));
@@ -98,83 +114,74 @@ class SweptSphereTest {
   void whoCannotBeDeflectedGoesOn() {
     double infinite = Double.POSITIVE_INFINITY;
     double[] wall = {3, 5, 7, -2, 1, 4};
-    SweptSphere.respond(0, 0, 0, 1, 1e-300, 0, 0, infinite, 0, wall);
+    SweptSphere.respond(
+        new SweptSphere(0, 0, 0, 0, wall[0], wall[1], wall[2]),
+        1,
+        new SweptSphere(1e-300, 0, 0, 0, wall[3], wall[4], wall[5]),
+        infinite,
+        0,
+        wall);
     assertThat(wall).containsExactly(-2, 5, 7, -2, 1, 4);
     double[] both = {3, 5, 7, -2, 1, 4};
-    SweptSphere.respond(0, 0, 0, infinite, 10, 0, 0, infinite, 1, both);
+    SweptSphere.respond(
+        new SweptSphere(0, 0, 0, 0, both[0], both[1], both[2]),
+        infinite,
+        new SweptSphere(10, 0, 0, 0, both[3], both[4], both[5]),
+        infinite,
+        1,
+        both);
     assertThat(both).containsExactly(3, 5, 7, -2, 1, 4);
     double[] parting = {-3, 5, 7, 2, 1, 4};
-    SweptSphere.respond(0, 0, 0, 1, 10, 0, 0, 1, 1, parting);
+    SweptSphere.respond(
+        new SweptSphere(0, 0, 0, 0, parting[0], parting[1], parting[2]),
+        1,
+        new SweptSphere(10, 0, 0, 0, parting[3], parting[4], parting[5]),
+        1,
+        1,
+        parting);
     assertThat(parting).containsExactly(-3, 5, 7, 2, 1, 4);
     double[] concentric = {-3, 5, 7, 2, 1, 4};
-    SweptSphere.respond(1, 2, 3, 1, 1, 2, 3, 1, 1, concentric);
+    SweptSphere.respond(
+        new SweptSphere(1, 2, 3, 0, concentric[0], concentric[1], concentric[2]),
+        1,
+        new SweptSphere(1, 2, 3, 0, concentric[3], concentric[4], concentric[5]),
+        1,
+        1,
+        concentric);
     assertThat(concentric).containsExactly(-3, 5, 7, 2, 1, 4);
   }
 
   @ParameterizedTest
-  @CsvSource({
-    "0, x1",
-    "1, y1",
-    "2, z1",
-    "3, r1",
-    "4, vx1",
-    "5, vy1",
-    "6, vz1",
-    "7, x2",
-    "8, y2",
-    "9, z2",
-    "10, r2",
-    "11, vx2",
-    "12, vy2",
-    "13, vz2",
-    "14, maxTime"
-  })
+  @CsvSource({"0, x", "1, y", "2, z", "3, radius", "4, vx", "5, vy", "6, vz"})
   void refusesWhatIsNoNumber(int at, String name) {
-    double[] n = {0, 0, 0, 1, 1, 1, 1, 9, 9, 9, 1, 1, 1, 1, 1};
+    double[] n = {0, 0, 0, 1, 1, 1, 1};
     n[at] = Double.NaN;
-    assertThatThrownBy(() -> time(n))
-        .isInstanceOf(IllegalArgumentException.class)
-        .hasMessageStartingWith(name + " is NaN");
-    if (name.length() == 2) {
-      assertThatThrownBy(
-              () -> SweptSphere.overlaps(n[0], n[1], n[2], n[3], n[7], n[8], n[9], n[10]))
-          .isInstanceOf(IllegalArgumentException.class)
-          .hasMessageStartingWith(name + " is NaN");
-    }
-  }
-
-  @ParameterizedTest
-  @CsvSource({
-    "0, x1", "1, y1", "2, z1", "3, m1", "4, x2", "5, y2", "6, z2", "7, m2", "8, e", "9, vx1",
-    "10, vy1", "11, vz1", "12, vx2", "13, vy2", "14, vz2"
-  })
-  void refusesToRespondToWhatIsNoNumber(int at, String name) {
-    double[] n = {0, 0, 0, 1, 9, 9, 9, 1, 1, 1, 1, 1, 1, 1, 1};
-    n[at] = Double.NaN;
-    double[] v = Arrays.copyOfRange(n, 9, 15);
-    assertThatThrownBy(
-            () -> SweptSphere.respond(n[0], n[1], n[2], n[3], n[4], n[5], n[6], n[7], n[8], v))
-        .isInstanceOf(IllegalArgumentException.class)
-        .hasMessageStartingWith(name + " is NaN");
+    assertRefused(name + " is NaN", () -> first(n));
   }
 
   @Test
   void refusesWhatIsOutOfRange() {
-    assertThatThrownBy(() -> time(0, 0, 0, -1, 0, 0, 0, 9, 0, 0, 1, 0, 0, 0, 1))
+    SweptSphere sphere = new SweptSphere(1, 2, 3, 1, 0, 0, 0);
+    double[] v = new double[6];
+    assertRefused("radius is -1.0", () -> new SweptSphere(0, 0, 0, -1, 0, 0, 0));
+    assertRefused("maxTime is -1.0", () -> sphere.timeToSphere(sphere, -1));
+    assertRefused("maxTime is NaN", () -> sphere.timeToSphere(sphere, Double.NaN));
+    for (double bad : new double[] {0, Double.NaN}) {
+      assertRefused("m1 is " + bad, () -> SweptSphere.respond(sphere, bad, sphere, 1, 1, v));
+      assertRefused("m2 is " + bad, () -> SweptSphere.respond(sphere, 1, sphere, bad, 1, v));
+    }
+    for (double bad : new double[] {-1, Double.NaN}) {
+      assertRefused(
+          "restitution is " + bad, () -> SweptSphere.respond(sphere, 1, sphere, 1, bad, v));
+    }
+    assertRefused(
+        "velocities.length is 5",
+        () -> SweptSphere.respond(sphere, 1, sphere, 1, 1, new double[5]));
+  }
+
+  private static void assertRefused(String message, ThrowingCallable call) {
+    assertThatThrownBy(call)
         .isInstanceOf(IllegalArgumentException.class)
-        .hasMessageContaining("r1")
-        .hasMessageContaining("-1.0");
-    assertThatThrownBy(() -> time(0, 0, 0, 1, 0, 0, Double.NaN, 9, 0, 0, 1, 0, 0, 0, 1))
-        .isInstanceOf(IllegalArgumentException.class)
-        .hasMessageContaining("vz1");
-    assertThatThrownBy(() -> time(0, 0, 0, 1, 0, 0, 0, 9, 0, 0, 1, 0, 0, 0, -1))
-        .isInstanceOf(IllegalArgumentException.class)
-        .hasMessageContaining("maxTime");
-    assertThatThrownBy(() -> SweptSphere.respond(0, 0, 0, 0, 1, 1, 1, 1, 1, new double[6]))
-        .isInstanceOf(IllegalArgumentException.class)
-        .hasMessageContaining("m1");
-    assertThatThrownBy(() -> SweptSphere.respond(0, 0, 0, 1, 1, 1, 1, 1, 1, new double[5]))
-        .isInstanceOf(IllegalArgumentException.class)
-        .hasMessageContaining("velocities");
+        .hasMessageStartingWith(message);
   }
 }

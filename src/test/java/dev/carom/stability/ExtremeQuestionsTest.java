@@ -122,12 +122,17 @@ class ExtremeQuestionsTest {
       double r2 = e.size();
       double window = e.window();
       double t =
-          SweptSphere.pair(
-              p[0], p[1], p[2], r1, v[0], v[1], v[2], p[3], p[4], p[5], r2, v[3], v[4], v[5],
-              window);
+          new SweptSphere(p[0], p[1], p[2], r1, v[0], v[1], v[2])
+              .timeToSphere(new SweptSphere(p[3], p[4], p[5], r2, v[3], v[4], v[5]), window);
       checkTime(t, window);
       double m1 = e.mass();
-      SweptSphere.respond(p[0], p[1], p[2], m1, p[3], p[4], p[5], e.mass(), e.size(), v);
+      SweptSphere.respond(
+          new SweptSphere(p[0], p[1], p[2], 0, v[0], v[1], v[2]),
+          m1,
+          new SweptSphere(p[3], p[4], p[5], 0, v[3], v[4], v[5]),
+          e.mass(),
+          e.size(),
+          v);
       assertThat(v).doesNotContain(Double.NaN);
     }
   }

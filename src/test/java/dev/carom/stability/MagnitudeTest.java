@@ -127,7 +127,13 @@ class MagnitudeTest {
   @ValueSource(doubles = {1e-300, 1, 1e150, 1e300, 8e307})
   void spheresSwapTheirVelocities(double speed) {
     double[] v = {speed, 0, 0, -speed, 0, 0};
-    SweptSphere.respond(-1e300, 0, 0, 1, 1e300, 0, 0, 1, 1, v);
+    SweptSphere.respond(
+        new SweptSphere(-1e300, 0, 0, 0, v[0], v[1], v[2]),
+        1,
+        new SweptSphere(1e300, 0, 0, 0, v[3], v[4], v[5]),
+        1,
+        1,
+        v);
     assertThat(v).containsExactly(-speed, 0, 0, speed, 0, 0);
   }
 

@@ -176,7 +176,7 @@ public class QueryBenchmark {
     int k = query();
     double vx = aimed[k + 2] / 2;
     double vy = aimed[k + 3] / 2;
-    return SweptSphere.pair(
-        aimed[k], aimed[k + 1], RADIUS / 3, RADIUS, vx, vy, 0, 0, 0, 0, RADIUS, -vx, -vy, 0, 1);
+    return new SweptSphere(aimed[k], aimed[k + 1], RADIUS / 3, RADIUS, vx, vy, 0)
+        .timeToSphere(new SweptSphere(0, 0, 0, RADIUS, -vx, -vy, 0), 1);
   }
 }

@@ -112,10 +112,10 @@ class PrecisionCounterTest {
   }
 
   private static void ask(double[] n) {
-    SweptSphere.pair(
-        n[0], n[1], n[2], n[3], n[4], n[5], n[6], n[7], n[8], n[9], n[10], n[11], n[12], n[13],
-        n[14]);
-    SweptSphere.overlaps(n[0], n[1], n[2], n[3], n[7], n[8], n[9], n[10]);
+    new SweptSphere(n[0], n[1], n[2], n[3], n[4], n[5], n[6])
+        .timeToSphere(new SweptSphere(n[7], n[8], n[9], n[10], n[11], n[12], n[13]), n[14]);
+    new SweptSphere(n[0], n[1], n[2], n[3], 0, 0, 0)
+        .overlaps(new SweptSphere(n[7], n[8], n[9], n[10], 0, 0, 0));
   }
 
   /**

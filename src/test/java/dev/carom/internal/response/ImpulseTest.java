@@ -122,7 +122,13 @@ class ImpulseTest {
       double m2 = i % 3 == 0 ? m1 : 1e-3 + random.nextDouble();
       double e = i % 5 / 4.0;
       double[] after = v.clone();
-      SweptSphere.respond(n[0], n[1], n[2], m1, 0, 0, 0, m2, e, after);
+      SweptSphere.respond(
+          new SweptSphere(n[0], n[1], n[2], 0, after[0], after[1], after[2]),
+          m1,
+          new SweptSphere(0, 0, 0, 0, after[3], after[4], after[5]),
+          m2,
+          e,
+          after);
       double[] u = {v[0] - v[3], v[1] - v[4], v[2] - v[5]};
       if (dot(u, n).signum() < 0) {
         met++;

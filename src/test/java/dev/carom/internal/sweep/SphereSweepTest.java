@@ -45,9 +45,8 @@ class SphereSweepTest {
         0
       };
       double time =
-          SweptSphere.pair(
-              n[0], n[1], n[2], n[3], n[4], n[5], n[6], n[7], n[8], n[9], n[10], n[11], n[12],
-              n[13], 1);
+          new SweptSphere(n[0], n[1], n[2], n[3], n[4], n[5], n[6])
+              .timeToSphere(new SweptSphere(n[7], n[8], n[9], n[10], n[11], n[12], n[13]), 1);
       Dyadic drift = Dyadic.ZERO;
       for (int axis = 0; axis < 3; axis++) {
         Dyadic offset = Dyadic.difference(n[axis], n[7 + axis]);
