@@ -25,22 +25,19 @@ import java.util.Arrays;
  * Scene scene =
  *     Scene.builder().bounds(0, 0, 100, 100).peg(50, 50, 22).circle(15, 20, 2, 1.3, 2.1).build();
  * World world = new World(scene);
- * Uncertainty uncertainty = new Uncertainty(world, 0.01);
- * for (int frame = 1; frame <= 1000; frame++) {
- *   world.advanceTo(frame);
- *   uncertainty.update();
- * }
+ * Uncertainty uncertainty = world.uncertainty(0.01);
+ * world.advanceTo(1000);
  * System.out.println(Math.round(uncertainty.lostAt(0))); // 502
  * }</pre>
  *
- * <p>Call {@link #update} once after each step, before any edit. It reads the {@link ImpactLog} and
- * changes nothing in the world. Circles must ignore each other: errors of circles that collide
- * depend on each other, and such worlds are refused. A world without an {@code Uncertainty} pays
- * nothing for it.
+ * <p>The world keeps it up to date: after each call it takes in the impacts of that call, and
+ * changes nothing in the world. A world keeps one, the last that it {@linkplain World#uncertainty
+ * gave}. Circles must ignore each other: errors of circles that collide depend on each other, and
+ * such worlds are refused. A world without an {@code Uncertainty} pays nothing for it.
  *
  * <h2>The bound</h2>
  *
- * <p>The bound counts from the state at the construction. That state, the obstacles and gravity are
+ * <p>The bound counts from the state at the beginning. That state, the obstacles and gravity are
  * taken as exact. The bound has two parts. How large each new rounding error can be is proven. How
  * the errors grow from then on is computed with a linear approximation, the derivative of the
  * motion along the computed path. So the bound as a whole is no proof: it leaves out products of
@@ -77,8 +74,8 @@ import java.util.Arrays;
  *       else than one flat side;
  *   <li>it hits something that it overlaps;
  *   <li>an edit gives it another place or velocity, or adds it, or changes gravity;
- *   <li>it made an impact in a step without {@code update}, or the world was {@linkplain
- *       World#restore restored} to an earlier flight;
+ *   <li>the world was {@linkplain World#restore restored} to an earlier flight of it;
+ *   <li>it made an impact after the world began another {@code Uncertainty};
  *   <li>any line or peg moves, or moved before.
  * </ul>
  *
@@ -92,10 +89,10 @@ public final class Uncertainty {
   private final World world;
   private final double length;
 
-  /** The smallest radius of a peg at the construction. */
+  /** The smallest radius of a peg at the beginning. */
   private double leastPeg = Double.POSITIVE_INFINITY;
 
-  /** The ids of the circles that were there at the construction or the last restart, ascending. */
+  /** The ids of the circles that were there at the beginning or the last restart, ascending. */
   private int[] ids;
 
   /** The path of each of them; null for one that was never begun with. */
@@ -106,17 +103,9 @@ public final class Uncertainty {
 
   private final ErrorSum sum = new ErrorSum();
 
-  /**
-   * Begins with the present state of a world, which is taken as exact.
-   *
-   * @param world the world, whose circles ignore each other
-   * @param length how far off a place may be that still counts as known, in units of the world,
-   *     greater than 0; {@link #lostAt(int) lostAt} tells of it
-   * @throws IllegalArgumentException if the length is NaN or not positive, or if circles collide in
-   *     this world
-   */
-  public Uncertainty(World world, double length) {
-    this.world = Check.notNull("world", world);
+  /** Begins with the present state of a world: see {@link World#uncertainty}. */
+  Uncertainty(World world, double length) {
+    this.world = world;
     if (world.scene().collide()) {
       throw Check.refused("collide of the world", true, "false: circles that ignore each other");
     }
@@ -176,14 +165,8 @@ public final class Uncertainty {
     return id < ids.length && ids[id] == id ? id : Arrays.binarySearch(ids, id);
   }
 
-  /**
-   * Takes in the impacts of the world's last step. Call it once after each step, finished or not,
-   * and before an edit.
-   *
-   * <p>A second call for the same step would count its impacts twice: the bound of each circle that
-   * bounced in it becomes infinite.
-   */
-  public void update() {
+  /** Takes in the impacts of the world's last call, before any edit. */
+  void update() {
     if (world.obstacles.areMoving()) {
       loseAll();
       return;
@@ -343,8 +326,8 @@ public final class Uncertainty {
   }
 
   /**
-   * Returns the time at which the bound of a circle passed the length that was given to the
-   * constructor.
+   * Returns the time at which the bound of a circle passed the length that was given at the
+   * beginning.
    *
    * @param id the id of the circle
    * @return the time, at most now. It is the start of the flight in which the bound became

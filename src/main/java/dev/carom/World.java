@@ -52,8 +52,9 @@ import java.util.Optional;
  * advanceTo}) or to the next impact ({@link #advanceToImpact advanceToImpact}). Between steps a
  * world can be edited, asked ({@link #cast(Circle, Vec2, double) cast}, {@link #trace trace},
  * {@link #nearest nearest}, {@link #overlapping(Kind, Circle) overlapping}), saved ({@link
- * #snapshot}) and recorded ({@link #record record}). A world belongs to one thread at a time.
- * Different worlds share nothing that changes.
+ * #snapshot}) and recorded ({@link #record record}). It can tell how far its places are right
+ * ({@link #uncertainty uncertainty}). A world belongs to one thread at a time. Different worlds
+ * share nothing that changes.
  *
  * <p>See <a href="doc-files/rules.html">Rules and limits</a>: contact, edits, questions, budget,
  * stuck circles, moving obstacles, gravity, infinite mass, accuracy. <a
@@ -87,6 +88,9 @@ public final class World {
 
   /** Null unless flights are recorded. */
   private TimelineRecorder recorder;
+
+  /** Null unless errors are estimated. */
+  private Uncertainty uncertainty;
 
   /**
    * Sets a scene in motion, at time 0.
@@ -272,6 +276,9 @@ public final class World {
     now = reached;
     if (recorder != null) {
       recorder.advance(now);
+    }
+    if (uncertainty != null) {
+      uncertainty.update();
     }
   }
 
@@ -1118,6 +1125,25 @@ public final class World {
       recorder = null;
       engine.record(null);
     }
+  }
+
+  /**
+   * Estimates from now on how far the place of each circle can be trusted. The present state is
+   * taken as exact.
+   *
+   * <p>The world takes in the impacts of each call from now on, whatever they are read for. It
+   * keeps one estimate: a further call begins anew, and the earlier one gives up each circle at its
+   * next impact.
+   *
+   * @param length how far off a place may be that still counts as known, in units of the world,
+   *     greater than 0; {@link Uncertainty#lostAt(int) lostAt} tells of it
+   * @return the estimate, which goes on as the world does
+   * @throws IllegalArgumentException if the length is NaN or not positive, or if circles collide in
+   *     this world
+   */
+  public Uncertainty uncertainty(double length) {
+    uncertainty = new Uncertainty(this, length);
+    return uncertainty;
   }
 
   /**

@@ -42,11 +42,10 @@ class UncertaintyEditsTest {
       builder.circle(50, 50, RADIUS, 5 * Math.cos(i), 5 * Math.sin(i));
     }
     world = new World(builder.build());
-    uncertainty = new Uncertainty(world, 1);
+    uncertainty = world.uncertainty(1);
     while (!isFound()) {
       assertThat(world.now()).isLessThan(200);
       world.step(0.5);
-      uncertainty.update();
     }
     double vx = world.vx(id);
     double vy = world.vy(id);
@@ -81,7 +80,6 @@ class UncertaintyEditsTest {
   /** The bound when the circle is past the middle of the way, where nothing was hit. */
   private double boundBehind() {
     world.step(FREE);
-    uncertainty.update();
     ImpactLog log = world.impacts();
     for (int row = 0; row < log.size(); row++) {
       assertThat(log.circle(row)).isNotEqualTo(id);

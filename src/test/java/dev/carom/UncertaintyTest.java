@@ -4,7 +4,10 @@ package dev.carom;
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.assertThatThrownBy;
 import static org.assertj.core.api.Assertions.offset;
+import static org.assertj.core.api.Assertions.withinPercentage;
 
+import java.util.List;
+import java.util.function.Consumer;
 import org.junit.jupiter.api.Test;
 
 /**
@@ -24,14 +27,13 @@ class UncertaintyTest {
   private static void advance(World world, Uncertainty uncertainty, double end) {
     while (world.now() < end) {
       world.step(1);
-      uncertainty.update();
     }
   }
 
   @Test
   void refusesWorldsWhoseCirclesCollide() {
     World world = new World(billiard().collide(true).build());
-    assertThatThrownBy(() -> new Uncertainty(world, 1))
+    assertThatThrownBy(() -> world.uncertainty(1))
         .isInstanceOf(IllegalArgumentException.class)
         .hasMessage("collide of the world is true: expected false: circles that ignore each other");
   }
@@ -40,7 +42,7 @@ class UncertaintyTest {
   void refusesLengthsThatAreNotPositive() {
     World world = new World(billiard().build());
     for (double length : new double[] {0, -1, Double.NaN}) {
-      assertThatThrownBy(() -> new Uncertainty(world, length))
+      assertThatThrownBy(() -> world.uncertainty(length))
           .isInstanceOf(IllegalArgumentException.class)
           .hasMessage("length is " + length + ": expected more than 0");
     }
@@ -49,7 +51,7 @@ class UncertaintyTest {
   @Test
   void aCircleThatHitNothingIsWrongByTheRoundingOfItsPlace() {
     World world = new World(Scene.builder().circle(15, 20, 2, 1.3, 2.1).build());
-    Uncertainty uncertainty = new Uncertainty(world, 1);
+    Uncertainty uncertainty = world.uncertainty(1);
     advance(world, uncertainty, 10);
     double rounding = U * (world.x(0) + world.y(0));
     assertThat(uncertainty.bound(0)).isBetween(rounding / 2, 4 * rounding);
@@ -69,7 +71,7 @@ class UncertaintyTest {
     Scene scene =
         Scene.builder().bounds(0, 0, 40, 40).peg(22, 20, 10).circle(5, 20, 2, 4, 0).build();
     World world = new World(scene);
-    Uncertainty uncertainty = new Uncertainty(world, 1);
+    Uncertainty uncertainty = world.uncertainty(1);
     advance(world, uncertainty, 4000);
     double cosh = 1 + 2 * gap / reach;
     double exponent = Math.log(cosh + Math.sqrt(cosh * cosh - 1)) / (2 * gap / 4);
@@ -77,24 +79,13 @@ class UncertaintyTest {
   }
 
   @Test
-  void aSecondUpdateForOneStepLosesTheCirclesThatBounced() {
-    World world = new World(Scene.builder().bounds(0, 0, 7, 5).circle(3, 2, 1, 1.3, 2.1).build());
-    Uncertainty uncertainty = new Uncertainty(world, 1);
-    advance(world, uncertainty, 1);
-    assertThat(uncertainty.bound(0)).isFinite();
-    uncertainty.update();
-    assertThat(uncertainty.bound(0)).isInfinite();
-  }
-
-  @Test
   void thePlaceIsLostWhenTheBoundPassesTheLength() {
     World world = new World(billiard().build());
-    Uncertainty uncertainty = new Uncertainty(world, 1e-6);
+    Uncertainty uncertainty = world.uncertainty(1e-6);
     double last = 0;
     while (uncertainty.lostAt(0) == Double.POSITIVE_INFINITY && world.now() < 10_000) {
       last = uncertainty.bound(0);
       world.step(1);
-      uncertainty.update();
     }
     assertThat(last).isBetween(1e-12, 1e-6);
     assertThat(uncertainty.bound(0)).isGreaterThan(1e-6);
@@ -110,7 +101,7 @@ class UncertaintyTest {
   @Test
   void anEditIsUnknownUntilRestart() {
     World world = new World(billiard().build());
-    Uncertainty uncertainty = new Uncertainty(world, 1);
+    Uncertainty uncertainty = world.uncertainty(1);
     advance(world, uncertainty, 5);
     world.setVelocity(0, 1, 2);
     assertThat(uncertainty.bound(0)).isInfinite();
@@ -126,7 +117,7 @@ class UncertaintyTest {
   @Test
   void anAddedCircleIsUnknownUntilRestart() {
     World world = new World(billiard().build());
-    Uncertainty uncertainty = new Uncertainty(world, 1);
+    Uncertainty uncertainty = world.uncertainty(1);
     int id = world.addCircle(20, 80, 2, 2, 1, Traits.DEFAULT);
     advance(world, uncertainty, 50);
     assertThat(uncertainty.bound(id)).isInfinite();
@@ -138,28 +129,58 @@ class UncertaintyTest {
   @Test
   void aRemovedCircleIsNoMore() {
     World world = new World(billiard().build());
-    Uncertainty uncertainty = new Uncertainty(world, 1);
+    Uncertainty uncertainty = world.uncertainty(1);
     world.advanceTo(60);
     world.remove(Kind.CIRCLE, 0);
-    uncertainty.update();
     assertThatThrownBy(() -> uncertainty.bound(0)).isInstanceOf(IndexOutOfBoundsException.class);
     assertThat(uncertainty.bound(1)).isFinite();
   }
 
+  /** One long call or many, bounded or from impact to impact: nobody has to tell of them. */
   @Test
-  void impactsThatWereNotTakenInAreNoticed() {
+  void theImpactsOfEachCallAreTakenIn() {
+    List<Consumer<World>> ways =
+        List.of(
+            world -> world.advanceTo(60),
+            world -> Run.finish(world, 60, 1),
+            world -> {
+              while (world.advanceToImpact(60)) {
+                assertThat(world.impacts().size()).isPositive();
+              }
+            });
+    World often = new World(billiard().build());
+    Uncertainty byStep = often.uncertainty(1);
+    advance(often, byStep, 60);
+    for (Consumer<World> way : ways) {
+      World world = new World(billiard().build());
+      Uncertainty uncertainty = world.uncertainty(1);
+      way.accept(world);
+      for (int i = 0; i < 2; i++) {
+        assertThat(uncertainty.bound(i)).isCloseTo(byStep.bound(i), withinPercentage(1));
+        assertThat(uncertainty.bound(i)).isPositive();
+      }
+    }
+  }
+
+  /** A world keeps the last one: the one before knows nothing of an impact that comes later. */
+  @Test
+  void theOneBeforeGivesUpAtTheNextImpact() {
     World world = new World(billiard().build());
-    Uncertainty uncertainty = new Uncertainty(world, 1);
-    world.advanceTo(60);
-    world.advanceTo(61);
-    uncertainty.update();
-    assertThat(uncertainty.bound(0)).isInfinite();
+    Uncertainty first = world.uncertainty(1);
+    world.step(60);
+    assertThat(first.bound(0)).isFinite();
+    Uncertainty second = world.uncertainty(1);
+    assertThat(first.bound(0)).isFinite();
+    assertThat(second.bound(0)).isLessThan(first.bound(0));
+    world.step(60);
+    assertThat(first.bound(0)).isInfinite();
+    assertThat(second.bound(0)).isFinite();
   }
 
   @Test
   void aRestoredWorldIsUnknown() {
     World world = new World(billiard().build());
-    Uncertainty uncertainty = new Uncertainty(world, 1);
+    Uncertainty uncertainty = world.uncertainty(1);
     Snapshot start = world.snapshot();
     advance(world, uncertainty, 60);
     world.restore(start);
@@ -169,7 +190,7 @@ class UncertaintyTest {
   @Test
   void movingObstaclesMakeAllUnknown() {
     World world = new World(billiard().build());
-    Uncertainty uncertainty = new Uncertainty(world, 1);
+    Uncertainty uncertainty = world.uncertainty(1);
     world.setVelocity(Kind.PEG, 0, 0.1, 0);
     assertThat(uncertainty.bound(0)).isInfinite();
     advance(world, uncertainty, 1);
@@ -179,7 +200,7 @@ class UncertaintyTest {
   @Test
   void anObstacleThatIsToldToStayIsOneAtRest() {
     World world = new World(billiard().build());
-    Uncertainty uncertainty = new Uncertainty(world, 1);
+    Uncertainty uncertainty = world.uncertainty(1);
     world.setVelocity(Kind.PEG, 0, 0, 0);
     uncertainty.restart(0);
     assertThat(uncertainty.bound(0)).isFinite();
@@ -191,11 +212,10 @@ class UncertaintyTest {
   void aJammedCircleIsUnknown() {
     Scene scene = Scene.builder().bounds(0, 0, 100, 4).circle(50, 2, 2, 1, 0.5).build();
     World world = new World(scene);
-    Uncertainty uncertainty = new Uncertainty(world, 1);
+    Uncertainty uncertainty = world.uncertainty(1);
     boolean jammed = false;
     for (int i = 0; i < 100 && !jammed; i++) {
       world.step(10);
-      uncertainty.update();
       ImpactLog log = world.impacts();
       for (int row = 0; row < log.size(); row++) {
         jammed |= log.outcome(row) == Outcome.JAMMED;
@@ -210,7 +230,7 @@ class UncertaintyTest {
     Scene scene =
         Scene.builder().line(-9, 0, 9, 0).response(Response.HALT).circle(0, 5, 2, 0, -1).build();
     World world = new World(scene);
-    Uncertainty uncertainty = new Uncertainty(world, 1);
+    Uncertainty uncertainty = world.uncertainty(1);
     advance(world, uncertainty, 20);
     assertThat(uncertainty.bound(0)).isInfinite();
     assertThat(uncertainty.lostAt(0)).isEqualTo(3);
@@ -220,8 +240,8 @@ class UncertaintyTest {
   void sensorsChangeNothing() {
     World world = new World(billiard().build());
     World sensed = new World(billiard().line(0, 0, 100, 100).response(Response.SENSOR).build());
-    Uncertainty uncertainty = new Uncertainty(world, 1);
-    Uncertainty ofSensed = new Uncertainty(sensed, 1);
+    Uncertainty uncertainty = world.uncertainty(1);
+    Uncertainty ofSensed = sensed.uncertainty(1);
     advance(world, uncertainty, 60);
     advance(sensed, ofSensed, 60);
     assertThat(ofSensed.bound(0)).isEqualTo(uncertainty.bound(0));
@@ -239,7 +259,7 @@ class UncertaintyTest {
     SceneBuilder setup = Scene.builder().peg(50, 0, 10);
     Scene scene = setup.circle(50, reach + height, 2, 0, 0).gravity(0, -0.25).build();
     World world = new World(scene);
-    Uncertainty uncertainty = new Uncertainty(world, 1);
+    Uncertainty uncertainty = world.uncertainty(1);
     advance(world, uncertainty, 4000);
     double cosh = 1 + 4 * height / reach;
     double period = 2 * Math.sqrt(2 * height / 0.25);
@@ -254,12 +274,11 @@ class UncertaintyTest {
     double step = 0x1p-30;
     World world = new World(plinko(0));
     World other = new World(plinko(step));
-    Uncertainty uncertainty = new Uncertainty(world, 1);
+    Uncertainty uncertainty = world.uncertainty(1);
     int compared = 0;
     for (int frame = 1; frame <= 200; frame++) {
       world.advanceTo(frame);
       other.advanceTo(frame);
-      uncertainty.update();
       double off = Math.hypot(other.x(0) - world.x(0), other.y(0) - world.y(0));
       if (off < 1e-4) {
         double predicted = step * Math.exp(uncertainty.lyapunovExponent(0) * frame);
@@ -285,7 +304,7 @@ class UncertaintyTest {
     SceneBuilder setup = Scene.builder().bounds(0, 0, 100, 90).restitution(0.5);
     Scene scene = setup.circle(50, 12, 2, 1, 0).gravity(0, -1).build();
     World world = new World(scene);
-    Uncertainty uncertainty = new Uncertainty(world, 1);
+    Uncertainty uncertainty = world.uncertainty(1);
     advance(world, uncertainty, 5);
     assertThat(uncertainty.bound(0)).isFinite();
     advance(world, uncertainty, 20);
@@ -304,13 +323,12 @@ class UncertaintyTest {
   void contactIsUnknown() {
     SceneBuilder setup = Scene.builder().peg(50, 0, 10).restitution(0.5);
     World world = new World(setup.circle(50.5, 20, 2, 0, 0).gravity(0, -0.25).build());
-    Uncertainty uncertainty = new Uncertainty(world, 1);
+    Uncertainty uncertainty = world.uncertainty(1);
     boolean settled = false;
     int bounces = 0;
     while (!settled && world.now() < 40) {
       assertThat(uncertainty.bound(0)).isFinite();
       world.step(0x1p-10);
-      uncertainty.update();
       if (world.impacts().size() > 0) {
         settled = world.impacts().outcome(0) == Outcome.SETTLED;
         bounces++;
@@ -321,14 +339,13 @@ class UncertaintyTest {
     for (int k = 0; k < 100; k++) {
       assertThat(uncertainty.bound(0)).as("at %s", world.now()).isInfinite();
       world.step(0.25);
-      uncertainty.update();
     }
   }
 
   @Test
   void anotherGravityIsUnknownUntilRestart() {
     World world = new World(plinko(0));
-    Uncertainty uncertainty = new Uncertainty(world, 1);
+    Uncertainty uncertainty = world.uncertainty(1);
     advance(world, uncertainty, 5);
     world.setGravity(0, -0.25);
     assertThat(uncertainty.bound(0)).isInfinite();
@@ -337,7 +354,6 @@ class UncertaintyTest {
     assertThat(uncertainty.bound(0)).isBetween(U, 1e-10);
     world.setGravity(0, 0);
     world.step(5);
-    uncertainty.update();
     assertThat(uncertainty.bound(0)).isInfinite();
     uncertainty.restart(0);
     advance(world, uncertainty, 16);
@@ -350,7 +366,7 @@ class UncertaintyTest {
     setup.circle(50, 60, 2, 1, 0).mass(Double.POSITIVE_INFINITY).circle(20, 60, 2, 1, 0);
     Scene scene = setup.build();
     World world = new World(scene);
-    Uncertainty uncertainty = new Uncertainty(world, 1);
+    Uncertainty uncertainty = world.uncertainty(1);
     advance(world, uncertainty, 60);
     assertThat(world.y(0)).isEqualTo(60);
     assertThat(uncertainty.bound(0)).isBetween(U, 1000 * U);
@@ -363,7 +379,7 @@ class UncertaintyTest {
     SceneBuilder setup = Scene.builder().bounds(-100, -100, 100, 100).peg(-9.3, 30.1, 10);
     Scene scene = setup.peg(9.3, 30.1, 10).circle(0, -80, 2, 0, 1.7).build();
     World world = new World(scene);
-    Uncertainty uncertainty = new Uncertainty(world, 1);
+    Uncertainty uncertainty = world.uncertainty(1);
     advance(world, uncertainty, 100);
     assertThat(uncertainty.bound(0)).isInfinite();
   }

@@ -49,14 +49,13 @@ class UncertaintyValuesTest {
   private static double follow(World world, Uncertainty uncertainty, double end) {
     while (world.now() < end) {
       world.step(0.5);
-      uncertainty.update();
     }
     return uncertainty.bound(0);
   }
 
   private static double[] values(String name) {
     World world = new World(scene(name));
-    Uncertainty uncertainty = new Uncertainty(world, LENGTH);
+    Uncertainty uncertainty = world.uncertainty(LENGTH);
     double early = follow(world, uncertainty, 12.5);
     double late = follow(world, uncertainty, 25);
     double lostAt = uncertainty.lostAt(0);

@@ -231,7 +231,7 @@ final class BadArguments {
             Map.entry(Casts.class, List.of(BadArguments::casts, Casts::new)),
             Map.entry(Snapshot.class, List.of(() -> stepped(true).snapshot())),
             Map.entry(Timeline.class, List.of(BadArguments::timeline)),
-            Map.entry(Uncertainty.class, List.of(() -> new Uncertainty(stepped(false), 1))),
+            Map.entry(Uncertainty.class, List.of(() -> stepped(false).uncertainty(1))),
             Map.entry(Trajectory.class, List.of(() -> scene(true).resolver().trace(CIRCLE, V, 30))),
             Map.entry(ImpactLog.class, List.of(() -> stepped(true).impacts())),
             Map.entry(Line.class, List.of(() -> LINE, () -> new Line(0, 1e308, 1e308, 0))),

@@ -63,7 +63,7 @@ public final class Photon implements Example {
   @Override
   public void press() {
     world = new World(scene());
-    uncertainty = new Uncertainty(world, KNOWN);
+    uncertainty = world.uncertainty(KNOWN);
     past = world.record(1000);
     reflections = 0;
   }
@@ -75,7 +75,6 @@ public final class Photon implements Example {
   }
 
   private void readLog() {
-    uncertainty.update();
     reflections += world.impacts().size();
   }
 

@@ -92,13 +92,12 @@ record TrustPart(String scene) implements Part {
   /** Follows a scene along its true course. */
   List<Row> measure(Scene start, Reference truth) {
     World world = new World(start);
-    Uncertainty uncertainty = new Uncertainty(world, 1);
+    Uncertainty uncertainty = world.uncertainty(1);
     boolean[] isKnown = new boolean[truth.circles()];
     Arrays.fill(isKnown, true);
     Places places = new Places();
     for (int frame = 1; frame <= truth.frames(); frame++) {
       world.advanceTo(frame);
-      uncertainty.update();
       for (int i = 0; i < isKnown.length; i++) {
         double radius = world.radius(i);
         double bound = uncertainty.bound(i);

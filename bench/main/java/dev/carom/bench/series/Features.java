@@ -97,14 +97,11 @@ public final class Features {
       if (keep == Keep.PAST) {
         world.record(RECORDED);
       }
-      Uncertainty uncertainty = keep == Keep.ERRORS ? new Uncertainty(world, 1) : null;
+      Uncertainty uncertainty = keep == Keep.ERRORS ? world.uncertainty(1) : null;
       for (int frame = 0; frame < frames; frame++) {
         action.before(world, frame);
         world.step(1);
         impacts[0] += world.impacts().size();
-        if (uncertainty != null) {
-          uncertainty.update();
-        }
       }
       return uncertainty == null ? world : uncertainty;
     }

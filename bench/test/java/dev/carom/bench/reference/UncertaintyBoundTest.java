@@ -59,7 +59,7 @@ class UncertaintyBoundTest {
     World world = new World(scene);
     int frames = truth.frames();
     int circles = scene.circleCount();
-    Uncertainty uncertainty = new Uncertainty(world, 1);
+    Uncertainty uncertainty = world.uncertainty(1);
     boolean[] isKnown = new boolean[circles];
     Arrays.fill(isKnown, true);
     double[] ratios = new double[frames * circles];
@@ -67,7 +67,6 @@ class UncertaintyBoundTest {
     double worst = 0;
     for (int frame = 1; frame <= frames; frame++) {
       world.advanceTo(frame);
-      uncertainty.update();
       for (int i = 0; i < circles; i++) {
         double bound = uncertainty.bound(i);
         isKnown[i] &= bound < world.radius(i);

@@ -73,7 +73,7 @@ class IdLimitTest {
   @Test
   void anUncertaintyOfLargeIdsTakesLittleMemory() {
     World world = old(false, CIRCLES - 1);
-    Uncertainty uncertainty = new Uncertainty(world, 0.1);
+    Uncertainty uncertainty = world.uncertainty(0.1);
     int last = world.addCircle(50, 20, 3, 0, 9, Traits.DEFAULT);
     assertThat(uncertainty.bound(last)).isInfinite();
     assertThat(uncertainty.lostAt(last)).isZero();
@@ -81,7 +81,6 @@ class IdLimitTest {
     uncertainty.restart(last);
     world.step(10);
     assertThat(world.impacts().size()).isPositive();
-    uncertainty.update();
     for (int id : new int[] {0, CIRCLES - 2, last}) {
       assertThat(uncertainty.bound(id)).isPositive().isLessThan(1e-10);
     }
