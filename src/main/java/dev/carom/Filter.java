@@ -2,6 +2,7 @@
 package dev.carom;
 
 import dev.carom.internal.state.FilterBits;
+import dev.carom.internal.util.Check;
 
 /**
  * A {@code Filter} says what a thing can meet: its category and its mask, each a set of 32 bits.
@@ -49,6 +50,6 @@ public record Filter(int category, int mask) {
    * @return whether the mask of each has a bit of the other's category
    */
   public boolean meets(Filter other) {
-    return FilterBits.meet(bits(), other.bits());
+    return FilterBits.meet(bits(), Check.notNull("other", other).bits());
   }
 }

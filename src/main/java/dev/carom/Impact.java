@@ -57,6 +57,13 @@ public record Impact(
   /** The id in an answer of the detector alone, which knows no ids, and of a circle of no world. */
   static final int NO_ID = -1;
 
+  /** Checks that no component is null. */
+  public Impact {
+    Check.notNull("kind", kind);
+    Check.notNull("feature", feature);
+    Check.notNull("outcome", outcome);
+  }
+
   /** The answer of a cast: an impact of no circle of a world, at a time from now. */
   static Impact of(double t, Kind kind, int id, int contact, Hit hit, boolean halts) {
     return new Impact(

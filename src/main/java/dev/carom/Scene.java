@@ -8,8 +8,8 @@ import dev.carom.internal.state.Codes;
 import dev.carom.internal.state.Gravity;
 import dev.carom.internal.state.ObstacleTable;
 import dev.carom.internal.state.SceneData;
+import dev.carom.internal.state.SceneDataBuilder;
 import dev.carom.internal.util.Check;
-import dev.carom.internal.util.KindNumber;
 import java.io.IOException;
 import java.io.Reader;
 import java.nio.file.Path;
@@ -89,7 +89,20 @@ public final class Scene {
    * @return a new builder
    */
   public static SceneBuilder builder() {
-    return new SceneBuilder();
+    return new SceneBuilder(new SceneDataBuilder());
+  }
+
+  /**
+   * Starts a scene with all that is in this one, which stays as it is.
+   *
+   * <pre>{@code
+   * Scene more = scene.toBuilder().circle(20, 20, 5, 0, 0).build();
+   * }</pre>
+   *
+   * @return a new builder, whose next thing of each kind gets the number {@link #count}
+   */
+  public SceneBuilder toBuilder() {
+    return new SceneBuilder(new SceneDataBuilder(data));
   }
 
   /**
@@ -155,54 +168,36 @@ public final class Scene {
   }
 
   /**
-   * Returns the number of moving circles.
+   * Returns the number of things of a kind.
    *
+   * @param kind their kind
    * @return at least 0
    */
-  public int circleCount() {
-    return data.circleCount();
+  public int count(Kind kind) {
+    int number = Check.notNull("kind", kind).ordinal();
+    return kind == Kind.CIRCLE ? data.circleCount() : data.obstacles.end(number);
   }
 
   /**
-   * Returns the number of lines.
+   * Returns a circle or an obstacle as it stands at time 0.
    *
-   * @return at least 0
-   */
-  public int lineCount() {
-    return data.obstacles.ofKind(KindNumber.LINE).count();
-  }
-
-  /**
-   * Returns the number of pegs.
+   * <pre>{@code
+   * for (int i = 0; i < scene.count(Kind.PEG); i++) {
+   *   Circle peg = (Circle) scene.shape(Kind.PEG, i);
+   * }
+   * }</pre>
    *
-   * @return at least 0
+   * @param kind its kind
+   * @param i its number: of a wall 0..3, else from 0 to {@link #count} - 1
+   * @return a {@link Line} for a line, a {@link Circle} for a peg or a circle, the {@link Bounds}
+   *     for a wall
+   * @throws IndexOutOfBoundsException if there is no such thing
    */
-  public int pegCount() {
-    return data.obstacles.ofKind(KindNumber.PEG).count();
-  }
-
-  /**
-   * Returns a circle as it stands at time 0.
-   *
-   * @param i its number, 0..{@link #circleCount()} - 1
-   * @return the circle
-   * @throws IndexOutOfBoundsException if there is no such circle
-   */
-  public Circle circle(int i) {
-    at(Kind.CIRCLE, i);
-    return new Circle(data.x(i), data.y(i), data.radius(i));
-  }
-
-  /**
-   * Returns the velocity of a circle at time 0.
-   *
-   * @param i its number, 0..{@link #circleCount()} - 1
-   * @return the velocity
-   * @throws IndexOutOfBoundsException if there is no such circle
-   */
-  public Vec2 velocity(int i) {
-    at(Kind.CIRCLE, i);
-    return new Vec2(data.vx(i), data.vy(i));
+  public Obstacle shape(Kind kind, int i) {
+    int code = code(kind, i);
+    return kind == Kind.CIRCLE
+        ? new Circle(data.x(i), data.y(i), data.radius(i))
+        : PublicRecords.of(data.obstacles, code, 0);
   }
 
   /**
@@ -216,30 +211,8 @@ public final class Scene {
   public Vec2 velocity(Kind kind, int i) {
     int code = code(kind, i);
     return kind == Kind.CIRCLE
-        ? velocity(i)
+        ? new Vec2(data.vx(i), data.vy(i))
         : new Vec2(data.obstacles.ux(code), data.obstacles.uy(code));
-  }
-
-  /**
-   * Returns a line of this scene.
-   *
-   * @param i its number, 0..{@link #lineCount()} - 1
-   * @return the line
-   * @throws IndexOutOfBoundsException if there is no such line
-   */
-  public Line line(int i) {
-    return PublicRecords.line(data.obstacles, Codes.line(at(Kind.LINE, i)), 0);
-  }
-
-  /**
-   * Returns a peg of this scene.
-   *
-   * @param i its number, 0..{@link #pegCount()} - 1
-   * @return the peg
-   * @throws IndexOutOfBoundsException if there is no such peg
-   */
-  public Circle peg(int i) {
-    return PublicRecords.peg(data.obstacles, Codes.peg(at(Kind.PEG, i)), 0);
   }
 
   /**
@@ -318,16 +291,22 @@ public final class Scene {
    * centre is strictly left of it; two circles, both of infinite mass; and all that the {@linkplain
    * Filter filters} keep apart.
    *
-   * <p>Each text names the circle, the other thing, the rounded distance of the centre from it, and
-   * the least distance that was expected. The texts follow the order of the circles. Those of one
-   * circle name walls first (left, right, bottom, top), then lines, pegs, and circles with larger
-   * numbers. At most 10,000 are listed. Each call computes them anew; 100,000 circles among 100,000
-   * lines take some seconds.
+   * <p>The warnings follow the order of the circles. Those of one circle name walls first (left,
+   * right, bottom, top), then lines, pegs, and circles with larger numbers. At most 10,000 are
+   * listed. Each call computes them anew; 100,000 circles among 100,000 lines take some seconds.
    *
-   * @return the warnings, for people to read; unmodifiable, empty if there are none
+   * @return the warnings, whose {@code toString} is a sentence for people; unmodifiable, empty if
+   *     there are none
    */
-  public List<String> warnings() {
-    return Warnings.of(data);
+  public List<Warning> warnings() {
+    return Warnings.of(data).stream().map(Scene::warning).toList();
+  }
+
+  static Warning warning(Warnings.Overlap overlap) {
+    int code = overlap.code();
+    Kind kind = Kind.of(Codes.kind(code));
+    int id = Codes.isCircle(code) ? Codes.slot(code) : Codes.index(code);
+    return new Warning(overlap.circle(), kind, id, overlap.distance(), overlap.least());
   }
 
   /**
@@ -350,31 +329,21 @@ public final class Scene {
   public String toString() {
     return "Scene[circles=%s, lines=%s, pegs=%s, bounds=%s%s]"
         .formatted(
-            circleCount(),
-            lineCount(),
-            pegCount(),
+            count(Kind.CIRCLE),
+            count(Kind.LINE),
+            count(Kind.PEG),
             PublicRecords.describe(data.obstacles.walls),
             data.hasGravity() ? ", gravity=" + gravity() : "");
   }
 
   /** Returns the code of a thing that exists; any other one is refused. */
   private int code(Kind kind, int i) {
-    int number = at(kind, i);
-    return Codes.of(kind.ordinal(), number);
-  }
-
-  private int count(Kind kind) {
-    return kind == Kind.CIRCLE ? circleCount() : data.obstacles.end(kind.ordinal());
-  }
-
-  /** Returns the number of a thing that exists; any other one is refused. */
-  private int at(Kind kind, int i) {
-    int count = count(Check.notNull("kind", kind));
+    int count = count(kind);
     if (i < 0 || i >= count) {
       String others = count == 0 ? "none of them" : count + " of them, from 0";
       throw new IndexOutOfBoundsException(
           kind.nameOf(i) + " does not exist: the scene has " + others);
     }
-    return i;
+    return Codes.of(kind.ordinal(), i);
   }
 }

@@ -27,9 +27,11 @@ import dev.carom.internal.util.KindNumber;
  */
 public final class SceneBuilder {
 
-  private final SceneDataBuilder data = new SceneDataBuilder();
+  private final SceneDataBuilder data;
 
-  SceneBuilder() {}
+  SceneBuilder(SceneDataBuilder data) {
+    this.data = data;
+  }
 
   /**
    * Sets the rectangle that keeps circles inside.
@@ -243,6 +245,16 @@ public final class SceneBuilder {
   public SceneBuilder gravity(double gx, double gy) {
     data.gravity(gx, gy);
     return this;
+  }
+
+  /**
+   * Returns the number of things of a kind that were added: the number of the next one.
+   *
+   * @param kind their kind
+   * @return at least 0
+   */
+  public int count(Kind kind) {
+    return data.count(Check.notNull("kind", kind).ordinal());
   }
 
   /**

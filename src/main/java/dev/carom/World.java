@@ -9,6 +9,7 @@ import dev.carom.internal.engine.IndependentEngine;
 import dev.carom.internal.query.Region;
 import dev.carom.internal.state.CircleRegistry;
 import dev.carom.internal.state.CircleTable;
+import dev.carom.internal.state.Codes;
 import dev.carom.internal.state.EngineOptions;
 import dev.carom.internal.state.FilterBits;
 import dev.carom.internal.state.ImpactRows;
@@ -292,13 +293,15 @@ public final class World {
   }
 
   /**
-   * Returns the number of circles. Their ids are 0 to this number less 1 until a circle is removed;
-   * from then on {@link #ids ids} lists them.
+   * Returns the number of things of a kind. Their ids are 0 to this number less 1 until one is
+   * removed; from then on {@link #ids ids} lists them.
    *
+   * @param kind their kind
    * @return at least 0
    */
-  public int circleCount() {
-    return registry.count();
+  public int count(Kind kind) {
+    int number = number(kind);
+    return kind == Kind.CIRCLE ? registry.count() : obstacles.count(number);
   }
 
   /**
@@ -376,6 +379,19 @@ public final class World {
    */
   public Circle peg(int id) {
     return PublicRecords.peg(obstacles, code(Kind.PEG, id), now);
+  }
+
+  /**
+   * Returns a circle or an obstacle as it is now.
+   *
+   * @param kind its kind
+   * @param id its id
+   * @return a {@link Line} for a line, a {@link Circle} for a peg or a circle, the {@link Bounds}
+   *     for a wall; a coordinate that moved beyond the range of doubles is the largest one
+   * @throws IndexOutOfBoundsException if there is no such thing
+   */
+  public Obstacle shape(Kind kind, int id) {
+    return questions.shape(code(kind, id), now);
   }
 
   /**
@@ -473,6 +489,15 @@ public final class World {
   /** Returns the code of a thing that exists; any other id is refused. */
   private int code(Kind kind, int id) {
     return ids.checked(number(kind), id);
+  }
+
+  /** Returns the code of a thing that exists and is no wall. */
+  private int movable(Kind kind, int id) {
+    int code = code(kind, id);
+    if (kind == Kind.WALL) {
+      throw Check.refused("kind", kind, "LINE, PEG or CIRCLE: walls stay");
+    }
+    return code;
   }
 
   private static int number(Kind kind) {
@@ -788,17 +813,42 @@ public final class World {
   }
 
   /**
-   * Sets the radius of a circle, from now on. Its centre stays.
+   * Gives a circle, a line or a peg another place and shape at once. It teleports: it pushes
+   * nothing and hits nothing on the way.
    *
-   * @param id the id of the circle
-   * @param radius finite, and at least 2^10 ulps of the largest coordinate that a scene or an edit
-   *     gave to this world. 0, a point particle, is allowed if this world has no lines
-   * @throws IndexOutOfBoundsException if there is no such circle
-   * @throws IllegalArgumentException if the radius is NaN, infinite, negative, or smaller than
-   *     that; or 0 in a world with lines
+   * <pre>{@code
+   * world.setShape(Kind.PEG, 0, new Circle(80, 20, 5));
+   * world.setShape(Kind.CIRCLE, 0, new Circle(world.x(0), world.y(0), 3)); // only the radius
+   * }</pre>
+   *
+   * <p>A circle that overlaps the thing then bounces if the two approach each other, and flies on
+   * otherwise. To push circles, {@linkplain #setVelocity(Kind, int, double, double) set a
+   * velocity}. What moves goes on from the new place.
+   *
+   * <p>A circle keeps its velocity, and begins a new flight. If its centre stays where it is now,
+   * it cannot hit again what it hit last; else it can.
+   *
+   * @param kind its kind
+   * @param id its id
+   * @param shape a {@link Line} for a line, a {@link Circle} for a peg or a circle
+   * @throws IndexOutOfBoundsException if there is no such thing
+   * @throws IllegalArgumentException if the kind is {@link Kind#WALL}, the shape one of another
+   *     kind, or a coordinate or a radius refused, as by {@link #addLine addLine}, {@link #addPeg
+   *     addPeg} and {@link #addCircle addCircle}
    */
-  public void setRadius(int id, double radius) {
-    edit().setRadius(ids.circle(id), radius, now);
+  public void setShape(Kind kind, int id, Obstacle shape) {
+    int code = movable(kind, id);
+    Check.notNull("shape", shape);
+    if (kind == Kind.LINE && shape instanceof Line line) {
+      edit().move(code, line.ax(), line.ay(), line.bx(), line.by(), now);
+    } else if (kind == Kind.PEG && shape instanceof Circle peg) {
+      edit().move(code, peg.x(), peg.y(), peg.radius(), 0, now);
+    } else if (kind == Kind.CIRCLE && shape instanceof Circle circle) {
+      edit().setCircle(Codes.slot(code), circle.x(), circle.y(), circle.radius(), now);
+    } else {
+      String expected = kind == Kind.LINE ? "a Line" : "a Circle";
+      throw Check.refused("shape of " + kind.nameOf(id), shape, expected);
+    }
   }
 
   /**
@@ -818,13 +868,10 @@ public final class World {
    * @param vy the y component, finite
    * @throws IndexOutOfBoundsException if there is no such thing
    * @throws IllegalArgumentException if a component is NaN or infinite, or the kind is {@link
-   *     Kind#WALL}: walls do not move
+   *     Kind#WALL}: walls stay
    */
   public void setVelocity(Kind kind, int id, double vx, double vy) {
-    int code = code(kind, id);
-    if (kind == Kind.WALL) {
-      throw Check.refused("kind", kind, "LINE, PEG or CIRCLE: walls do not move");
-    }
+    int code = movable(kind, id);
     if (kind == Kind.CIRCLE) {
       setVelocity(id, vx, vy);
     } else {
@@ -910,9 +957,9 @@ public final class World {
    * @param vy the y component of the velocity, finite
    * @param traits its traits, which cannot be one-way
    * @return its id
-   * @throws IllegalArgumentException if a number is NaN or infinite, the radius refused, as by
-   *     {@link #setRadius setRadius}, or a coordinate too large, as by {@link #setPosition
-   *     setPosition}; or if the traits are one-way
+   * @throws IllegalArgumentException if a number is NaN or infinite, the radius refused, as by this
+   *     method, or a coordinate too large, as by {@link #setPosition setPosition}; or if the traits
+   *     are one-way
    * @throws IllegalStateException if this world gave all ids of circles: 1,610,612,736
    */
   public int addCircle(double x, double y, double radius, double vx, double vy, Traits traits) {
@@ -940,26 +987,6 @@ public final class World {
   }
 
   /**
-   * Moves a line to another place at once. A moved line teleports: it pushes nothing and hits
-   * nothing on the way.
-   *
-   * <p>A circle that it then overlaps bounces if it approaches the line, and flies on otherwise. To
-   * push circles, {@linkplain #setVelocity(Kind, int, double, double) set a velocity}. A line that
-   * moves goes on from the new place.
-   *
-   * @param id the id of the line
-   * @param ax the x coordinate of the start, finite
-   * @param ay the y coordinate of the start, finite
-   * @param bx the x coordinate of the end, finite
-   * @param by the y coordinate of the end, finite
-   * @throws IndexOutOfBoundsException if there is no such line
-   * @throws IllegalArgumentException if a coordinate is refused, as by {@link #addLine addLine}
-   */
-  public void moveLine(int id, double ax, double ay, double bx, double by) {
-    edit().move(code(Kind.LINE, id), ax, ay, bx, by, now);
-  }
-
-  /**
    * Adds a peg now. Circles whose flight meets it begin a new flight.
    *
    * @param x the x coordinate of the centre, finite
@@ -978,21 +1005,6 @@ public final class World {
   }
 
   /**
-   * Moves a peg to another place at once, and sets its radius. Like a {@linkplain #moveLine moved
-   * line} it pushes nothing and hits nothing on the way.
-   *
-   * @param id the id of the peg
-   * @param x the x coordinate of the centre, finite
-   * @param y the y coordinate of the centre, finite
-   * @param radius finite and at least 0
-   * @throws IndexOutOfBoundsException if there is no such peg
-   * @throws IllegalArgumentException if a number is refused, as by {@link #addPeg addPeg}
-   */
-  public void movePeg(int id, double x, double y, double radius) {
-    edit().move(code(Kind.PEG, id), x, y, radius, 0, now);
-  }
-
-  /**
    * Removes a circle, a line or a peg. Its id is not used again.
    *
    * <p>No search finds it any more. A circle leaves nothing behind. A line or a peg leaves a row in
@@ -1004,10 +1016,7 @@ public final class World {
    * @throws IllegalArgumentException if the kind is {@link Kind#WALL}
    */
   public void remove(Kind kind, int id) {
-    int code = code(kind, id);
-    if (kind == Kind.WALL) {
-      throw Check.refused("kind", kind, "LINE, PEG or CIRCLE: walls stay");
-    }
+    int code = movable(kind, id);
     edit().remove(code, now);
     if (recorder != null && kind == Kind.CIRCLE) {
       recorder.remove(id, now);
@@ -1157,7 +1166,7 @@ public final class World {
     return "World[now=%s, %s circles, bounds %s, %s impacts in the last step; %s]"
         .formatted(
             now,
-            circleCount(),
+            count(Kind.CIRCLE),
             PublicRecords.describe(scene.data.obstacles.walls),
             log.size(),
             engine.description());

@@ -144,6 +144,14 @@ final class WorldQueries {
     }
   }
 
+  /** Returns a circle or an obstacle as it is now. */
+  Obstacle shape(int code, double now) {
+    int slot = Codes.slot(code);
+    return Codes.isCircle(code)
+        ? new Circle(Vec2.within(circles.x(slot, now), circles.y(slot, now)), circles.radius(slot))
+        : PublicRecords.of(obstacles, code, now);
+  }
+
   Traits traits(int code) {
     if (!Codes.isCircle(code)) {
       return Traits.of(obstacles, code);

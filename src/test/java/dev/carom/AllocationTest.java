@@ -149,7 +149,7 @@ class AllocationTest {
     Runnable frames =
         () -> {
           for (int frame = 0; frame < 200; frame++) {
-            for (int id = 0; id < world.circleCount(); id++) {
+            for (int id = 0; id < world.count(Kind.CIRCLE); id++) {
               // To and fro, so that all stay where they are, and none gets stuck.
               double way = frame % 20 < 10 ? 1 : -1;
               world.setVelocity(id, way * (id % 7 - 3.1), way * (id % 5 - 1.7));
@@ -243,8 +243,8 @@ class AllocationTest {
     return (world, frame) -> {
       for (int id = 0; id < 2; id++) {
         double x = 200 + 400 * id + 0.1 * (frame % 20);
-        world.movePeg(id, x, 400 + 0.07 * (frame % 20), 10);
-        world.moveLine(id, x - 20, -30, x, -29);
+        world.setShape(Kind.PEG, id, new Circle(x, 400 + 0.07 * (frame % 20), 10));
+        world.setShape(Kind.LINE, id, new Line(x - 20, -30, x, -29));
       }
     };
   }
@@ -399,7 +399,7 @@ class AllocationTest {
       sum += log.impulse(row);
       sum += log.kind(row) == Kind.WALL ? 1 : log.feature(row) == Feature.END ? 2 : 3;
     }
-    for (int i = 0; i < world.circleCount(); i++) {
+    for (int i = 0; i < world.count(Kind.CIRCLE); i++) {
       sum += world.x(i) + world.y(i) + world.vx(i) + world.vy(i);
     }
   }

@@ -43,7 +43,7 @@ class ArchitectureTest {
   private static final String RESOLVER = " Filter Resolver Casts Trajectory ImpactLog Flight";
 
   private static final String WORLD =
-      " Scene SceneBuilder SceneFormatException Response Traits World WorldQueries"
+      " Scene SceneBuilder SceneFormatException Response Traits Warning World WorldQueries"
           + " UnfinishedException Snapshot Timeline Uncertainty";
 
   private static final Class<?> REFUSAL = IllegalArgumentException.class;
@@ -157,7 +157,8 @@ class ArchitectureTest {
         .containsExactlyInAnyOrder("SceneFormatException", "RowException", "UnfinishedException");
     assertThatThrownBy(() -> new Vec2(Double.NaN, 0)).isExactlyInstanceOf(REFUSAL);
     World world = new World(Scene.builder().circle(0, 0, 1, 1, 0).build());
-    assertThatThrownBy(() -> world.setRadius(0, -1)).isExactlyInstanceOf(REFUSAL);
+    assertThatThrownBy(() -> world.setShape(Kind.CIRCLE, 0, new Circle(world.x(0), world.y(0), -1)))
+        .isExactlyInstanceOf(REFUSAL);
     assertThatThrownBy(() -> Scene.builder().peg(0, 0, -1)).isExactlyInstanceOf(REFUSAL);
     assertThatThrownBy(() -> Scene.read(new StringReader("peg,0,0,-1"), "text"))
         .isExactlyInstanceOf(SceneFormatException.class)

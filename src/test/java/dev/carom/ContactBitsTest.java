@@ -90,7 +90,7 @@ class ContactBitsTest {
       for (int t = 40; t <= END; t += 40) {
         plain.advanceTo(t);
         other.advanceTo(t * time);
-        for (int i = 0; i < plain.circleCount(); i++) {
+        for (int i = 0; i < plain.count(Kind.CIRCLE); i++) {
           String name = scenes + ", circle " + i + " at " + t;
           assertThat(other.x(i) / (x * length)).as(name).isEqualTo(plain.x(i));
           assertThat(other.y(i) / (y * length)).as(name).isEqualTo(plain.y(i));

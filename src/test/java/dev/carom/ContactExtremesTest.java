@@ -125,8 +125,8 @@ class ContactExtremesTest {
       }
     }
     ContactRun run = play(scene, 300);
-    assertThat(run.resting()).isEqualTo(run.world.circleCount());
-    assertThat(run.world.y(run.world.circleCount() - 1))
+    assertThat(run.resting()).isEqualTo(run.world.count(Kind.CIRCLE));
+    assertThat(run.world.y(run.world.count(Kind.CIRCLE) - 1))
         .isBetween(9.9 + high * (across - 1), 10.1 + high * (across - 1) + across * 0.08);
   }
 

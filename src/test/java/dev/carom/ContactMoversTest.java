@@ -48,7 +48,7 @@ class ContactMoversTest {
 
   private static void assertAbove(ContactRun run, int line) {
     double floor = run.world.line(line).ay();
-    for (int i = 0; i < run.world.circleCount(); i++) {
+    for (int i = 0; i < run.world.count(Kind.CIRCLE); i++) {
       assertThat(run.world.y(i)).as("ball %s", i).isGreaterThan(floor);
     }
   }

@@ -19,11 +19,11 @@ class ContactRestTest {
 
   private static World atRest(EverydayScenes scenes) {
     ContactRun run = new ContactRun(new World(scenes.scene()));
-    while (run.world.now() < 6_000 && run.resting() < run.world.circleCount()) {
+    while (run.world.now() < 6_000 && run.resting() < run.world.count(Kind.CIRCLE)) {
       run.play(run.world.now() + 1);
     }
     assertThat(run.faults()).isEmpty();
-    assertThat(run.resting()).as("%s: rest", scenes).isEqualTo(run.world.circleCount());
+    assertThat(run.resting()).as("%s: rest", scenes).isEqualTo(run.world.count(Kind.CIRCLE));
     return run.world;
   }
 

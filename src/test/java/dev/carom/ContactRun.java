@@ -83,12 +83,12 @@ public final class ContactRun {
     bounds = world.scene().bounds().orElse(null);
     Vec2 g = world.gravity();
     gravity = g.length();
-    xs = new double[world.circleCount()];
-    ys = new double[world.circleCount()];
-    radii = new double[world.circleCount()];
+    xs = new double[world.count(Kind.CIRCLE)];
+    ys = new double[world.count(Kind.CIRCLE)];
+    radii = new double[world.count(Kind.CIRCLE)];
     double sum = 0;
     double smallest = Double.POSITIVE_INFINITY;
-    for (int i = 0; i < world.circleCount(); i++) {
+    for (int i = 0; i < world.count(Kind.CIRCLE); i++) {
       if (world.traits(Kind.CIRCLE, i).mass() < Double.POSITIVE_INFINITY) {
         sum += world.traits(Kind.CIRCLE, i).mass() * gravity * world.radius(i);
         smallest = Math.min(smallest, world.radius(i));
@@ -174,7 +174,7 @@ public final class ContactRun {
   /** How many circles neither rest nor roll alone on level ground. */
   public int moving() {
     int moving = 0;
-    for (int i = 0; i < world.circleCount(); i++) {
+    for (int i = 0; i < world.count(Kind.CIRCLE); i++) {
       boolean rolls = world.vy(i) == 0 && world.vx(i) != 0;
       moving += world.isResting(i) || rolls ? 0 : 1;
     }
@@ -184,7 +184,7 @@ public final class ContactRun {
   /** How many circles rest. */
   public int resting() {
     int resting = 0;
-    for (int i = 0; i < world.circleCount(); i++) {
+    for (int i = 0; i < world.count(Kind.CIRCLE); i++) {
       resting += world.isResting(i) ? 1 : 0;
     }
     return resting;
@@ -207,8 +207,8 @@ public final class ContactRun {
 
   /** Place and velocity of each circle. */
   public double[] state() {
-    double[] state = new double[4 * world.circleCount()];
-    for (int i = 0; i < world.circleCount(); i++) {
+    double[] state = new double[4 * world.count(Kind.CIRCLE)];
+    for (int i = 0; i < world.count(Kind.CIRCLE); i++) {
       state[4 * i] = world.x(i);
       state[4 * i + 1] = world.y(i);
       state[4 * i + 2] = world.vx(i);
@@ -221,7 +221,7 @@ public final class ContactRun {
   public double energy() {
     Vec2 g = world.gravity();
     double sum = 0;
-    for (int i = 0; i < world.circleCount(); i++) {
+    for (int i = 0; i < world.count(Kind.CIRCLE); i++) {
       double m = world.traits(Kind.CIRCLE, i).mass();
       if (m < Double.POSITIVE_INFINITY) {
         double vx = world.vx(i);

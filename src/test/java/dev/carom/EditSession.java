@@ -147,7 +147,7 @@ final class EditSession {
   private void begin() {
     if (numbers.begin() > 0) {
       advance(numbers.begin());
-      for (int id = 0; id < world().circleCount(); id++) {
+      for (int id = 0; id < world().count(Kind.CIRCLE); id++) {
         setVelocity(id);
       }
     }
@@ -242,7 +242,9 @@ final class EditSession {
     int id = some(Kind.CIRCLE);
     if (id >= 0) {
       double radius = numbers.radius();
-      worlds.edit(w -> w.setRadius(id, radius), p -> p.setRadius(id, radius));
+      worlds.edit(
+          w -> w.setShape(Kind.CIRCLE, id, new Circle(w.x(id), w.y(id), radius)),
+          p -> p.setRadius(id, radius));
       double mass = numbers.mass();
       worlds.edit(
           w -> w.setTraits(Kind.CIRCLE, id, w.traits(Kind.CIRCLE, id).withMass(mass)),
@@ -259,7 +261,7 @@ final class EditSession {
   }
 
   private void addCircle() {
-    if (world().circleCount() < 10) {
+    if (world().count(Kind.CIRCLE) < 10) {
       double x = numbers.x();
       double y = numbers.y();
       double radius = numbers.radius();
@@ -292,17 +294,21 @@ final class EditSession {
     if (line >= 0 && random.nextBoolean()) {
       double bx = numbers.x();
       double by = numbers.y();
-      worlds.edit(w -> w.moveLine(line, x, y, bx, by), p -> p.moveLine(line, x, y, bx, by));
+      worlds.edit(
+          w -> w.setShape(Kind.LINE, line, new Line(x, y, bx, by)),
+          p -> p.moveLine(line, x, y, bx, by));
     } else if (peg >= 0) {
       double radius = numbers.pegRadius();
-      worlds.edit(w -> w.movePeg(peg, x, y, radius), p -> p.movePeg(peg, x, y, radius));
+      worlds.edit(
+          w -> w.setShape(Kind.PEG, peg, new Circle(x, y, radius)),
+          p -> p.movePeg(peg, x, y, radius));
     }
   }
 
   private void remove() {
     Kind kind = Kind.values()[1 + random.nextInt(3)];
     int id = some(kind);
-    if (id >= 0 && (kind != Kind.CIRCLE || world().circleCount() > 2)) {
+    if (id >= 0 && (kind != Kind.CIRCLE || world().count(Kind.CIRCLE) > 2)) {
       worlds.edit(w -> w.remove(kind, id), p -> p.remove(kind, id));
       assertThat(world().contains(kind, id)).isFalse();
     }

@@ -19,7 +19,7 @@ class EnergyTest {
   }
 
   private static double[] energies(World world) {
-    double[] energies = new double[world.circleCount()];
+    double[] energies = new double[world.count(Kind.CIRCLE)];
     for (int i = 0; i < energies.length; i++) {
       energies[i] = energy(world, i);
     }

@@ -32,7 +32,7 @@ class FallTest {
     world.step(1e10);
     assertThat(world.vy(0)).isEqualTo(-Double.MAX_VALUE);
     assertThat(world.velocity(Kind.CIRCLE, 0)).isEqualTo(new Vec2(0, -Double.MAX_VALUE));
-    world.setRadius(0, 2);
+    world.setShape(Kind.CIRCLE, 0, new Circle(world.x(0), world.y(0), 2));
     assertThat(world.y(0)).isEqualTo(Double.NEGATIVE_INFINITY);
     ByteArrayOutputStream out = new ByteArrayOutputStream();
     world.snapshot().write(out);
@@ -111,7 +111,7 @@ class FallTest {
 
   private static double total(World world) {
     double sum = 0;
-    for (int i = 0; i < world.circleCount(); i++) {
+    for (int i = 0; i < world.count(Kind.CIRCLE); i++) {
       sum += energy(world, i);
     }
     return sum;
@@ -173,7 +173,7 @@ class FallTest {
 
   private static double momentum(World world) {
     double sum = 0;
-    for (int i = 0; i < world.circleCount(); i++) {
+    for (int i = 0; i < world.count(Kind.CIRCLE); i++) {
       sum += world.vy(i);
     }
     return sum;

@@ -36,19 +36,19 @@ final class Falling {
   static double overlap(World world) {
     Scene scene = world.scene();
     double most = 0;
-    for (int i = 0; i < world.circleCount(); i++) {
+    for (int i = 0; i < world.count(Kind.CIRCLE); i++) {
       Vec2 p = new Vec2(world.x(i), world.y(i));
-      double r = scene.circle(i).radius();
-      for (int k = 0; k < scene.lineCount(); k++) {
-        most = Math.max(most, r - distance(scene.line(k), p));
+      double r = ((Circle) scene.shape(Kind.CIRCLE, i)).radius();
+      for (int k = 0; k < scene.count(Kind.LINE); k++) {
+        most = Math.max(most, r - distance((Line) scene.shape(Kind.LINE, k), p));
       }
-      for (int k = 0; k < scene.pegCount(); k++) {
-        Circle peg = scene.peg(k);
+      for (int k = 0; k < scene.count(Kind.PEG); k++) {
+        Circle peg = (Circle) scene.shape(Kind.PEG, k);
         most = Math.max(most, r + peg.radius() - Math.hypot(peg.x() - p.x(), peg.y() - p.y()));
       }
       for (int j = 0; j < i && scene.collide(); j++) {
         double distance = Math.hypot(world.x(j) - p.x(), world.y(j) - p.y());
-        most = Math.max(most, r + scene.circle(j).radius() - distance);
+        most = Math.max(most, r + ((Circle) scene.shape(Kind.CIRCLE, j)).radius() - distance);
       }
       most = Math.max(most, scene.bounds().map(b -> beyond(b, p, r)).orElse(0.0));
     }

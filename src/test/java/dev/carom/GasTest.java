@@ -60,7 +60,7 @@ class GasTest {
 
   private static double leastDistance(World world) {
     double least = Double.POSITIVE_INFINITY;
-    for (int i = 0; i < world.circleCount(); i++) {
+    for (int i = 0; i < world.count(Kind.CIRCLE); i++) {
       for (int j = 0; j < i; j++) {
         least = Math.min(least, Math.hypot(world.x(i) - world.x(j), world.y(i) - world.y(j)));
       }

@@ -102,7 +102,7 @@ class GravityEditsTest {
   void aBallThatShrinksInAHopReturnsLater() {
     World world = new World(box().circle(50, 7, 2, 0, 0).build());
     rows(world, 2); // at its apex
-    world.setRadius(0, 1);
+    world.setShape(Kind.CIRCLE, 0, new Circle(world.x(0), world.y(0), 1));
     rows(world, 3.0625);
     assertThat(world.y(0)).isEqualTo(7 - 5 * 1.0625 * 1.0625);
   }

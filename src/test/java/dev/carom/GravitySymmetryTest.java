@@ -23,7 +23,7 @@ class GravitySymmetryTest {
         rows(often, i * 0.1);
       }
       often.advanceTo(end);
-      for (int i = 0; i < once.circleCount(); i++) {
+      for (int i = 0; i < once.count(Kind.CIRCLE); i++) {
         assertThat(often.x(i)).as("seed %d circle %d", seed, i).isEqualTo(once.x(i));
         assertThat(often.y(i)).as("seed %d circle %d", seed, i).isEqualTo(once.y(i));
       }
@@ -70,7 +70,7 @@ class GravitySymmetryTest {
       World scaled = new World(transformed(random(seed), 4, 4, 0, 0));
       rows(world, 8);
       rows(scaled, 8);
-      for (int i = 0; i < world.circleCount(); i++) {
+      for (int i = 0; i < world.count(Kind.CIRCLE); i++) {
         assertThat(scaled.x(i)).as("seed %d circle %d", seed, i).isEqualTo(4 * world.x(i));
         assertThat(scaled.y(i)).isEqualTo(4 * world.y(i));
         assertThat(scaled.vx(i)).isEqualTo(4 * world.vx(i));
@@ -86,7 +86,7 @@ class GravitySymmetryTest {
       World turned = new World(transformed(random(seed), -1, -1, 0, 0));
       assertThat(rows(mirrored, 8)).as("seed %d", seed).isEqualTo(rows(world, 8));
       rows(turned, 8);
-      for (int i = 0; i < world.circleCount(); i++) {
+      for (int i = 0; i < world.count(Kind.CIRCLE); i++) {
         assertThat(mirrored.x(i)).as("seed %d circle %d", seed, i).isEqualTo(-world.x(i));
         assertThat(mirrored.y(i)).isEqualTo(world.y(i));
         assertThat(turned.y(i)).isEqualTo(-world.y(i));
@@ -105,19 +105,19 @@ class GravitySymmetryTest {
         Math.max(mx * b.xmin(), mx * b.xmax()) + dx,
         Math.max(my * b.ymin(), my * b.ymax()) + dy);
     builder.gravity(mx * scene.gravity().x(), my * scene.gravity().y());
-    for (int i = 0; i < scene.lineCount(); i++) {
-      Line l = scene.line(i);
+    for (int i = 0; i < scene.count(Kind.LINE); i++) {
+      Line l = (Line) scene.shape(Kind.LINE, i);
       builder.line(mx * l.ax() + dx, my * l.ay() + dy, mx * l.bx() + dx, my * l.by() + dy);
       builder.restitution(scene.traits(Kind.LINE, i).restitution());
     }
-    for (int i = 0; i < scene.pegCount(); i++) {
-      Circle c = scene.peg(i);
+    for (int i = 0; i < scene.count(Kind.PEG); i++) {
+      Circle c = (Circle) scene.shape(Kind.PEG, i);
       builder.peg(mx * c.x() + dx, my * c.y() + dy, size * c.radius());
       builder.restitution(scene.traits(Kind.PEG, i).restitution());
     }
-    for (int i = 0; i < scene.circleCount(); i++) {
-      Circle c = scene.circle(i);
-      Vec2 v = scene.velocity(i);
+    for (int i = 0; i < scene.count(Kind.CIRCLE); i++) {
+      Circle c = (Circle) scene.shape(Kind.CIRCLE, i);
+      Vec2 v = scene.velocity(Kind.CIRCLE, i);
       builder.circle(mx * c.x() + dx, my * c.y() + dy, size * c.radius(), mx * v.x(), my * v.y());
       builder.restitution(scene.traits(Kind.CIRCLE, i).restitution());
     }

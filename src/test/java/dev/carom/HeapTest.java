@@ -167,7 +167,7 @@ class HeapTest {
     World world = new World(builder.circle(2, 13, 1, 0, 0).restitution(0).build());
     rows(world, 10);
     assertThat(resting(world)).containsExactly(0, 1, 2);
-    world.moveLine(0, -1, 9, 5, 9);
+    world.setShape(Kind.LINE, 0, new Line(-1, 9, 5, 9));
     assertThat(resting(world)).isEmpty();
     rows(world, 20);
     assertThat(world.y(0)).isBetween(10.0, 10 + 0x1p-7);

@@ -2,6 +2,7 @@
 package dev.carom;
 
 import dev.carom.internal.engine.Engine;
+import dev.carom.internal.query.Warnings;
 import dev.carom.internal.state.CircleTable;
 import dev.carom.internal.state.EngineOptions;
 import dev.carom.internal.state.ImpactRows;
@@ -48,6 +49,11 @@ public final class Internals {
   /** The log that shows some rows. */
   public static ImpactLog log(ImpactRows rows) {
     return new ImpactLog(rows);
+  }
+
+  /** The warning of an overlap. */
+  public static Warning warning(Warnings.Overlap overlap) {
+    return Scene.warning(overlap);
   }
 
   /** The record of an obstacle. */

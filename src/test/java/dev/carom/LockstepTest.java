@@ -169,8 +169,8 @@ class LockstepTest {
     return switch (random.nextInt(9)) {
       case 0 -> w -> w.setVelocity(circle, x / 10, y / 10);
       case 1 -> w -> w.setPosition(circle, x, y);
-      case 2 -> w -> w.moveLine(line, x, y, y, x);
-      case 3 -> w -> w.movePeg(peg, x, y, 1);
+      case 2 -> w -> w.setShape(Kind.LINE, line, new Line(x, y, y, x));
+      case 3 -> w -> w.setShape(Kind.PEG, peg, new Circle(x, y, 1));
       case 4 -> w -> w.setTraits(LINE, line, w.traits(LINE, line).withResponse(response));
       case 5 -> w -> w.setTraits(PEG, peg, w.traits(PEG, peg).withResponse(response));
       case 6 -> w -> w.setTraits(CIRCLE, circle, w.traits(CIRCLE, circle).withResponse(response));

@@ -172,7 +172,7 @@ class MasksTest {
       List<Run.Row> rows = new ArrayList<>();
       boolean complete = false;
       while (!complete) {
-        complete = world.advanceTo(10, world.circleCount());
+        complete = world.advanceTo(10, world.count(Kind.CIRCLE));
         rows.addAll(Run.rows(world.impacts()));
         undone += complete ? 0 : 1;
       }
@@ -414,7 +414,7 @@ class MasksTest {
             .circle(1, 1, 10, 0, 0)
             .filter(new Filter(B, -1));
     assertThat(builder.build().warnings())
-        .extracting(text -> text.substring(0, text.indexOf(" is ")))
+        .extracting(w -> w.toString().substring(0, w.toString().indexOf(" is ")))
         .containsExactly(
             "circle 1: distance from the left wall",
             "circle 1: distance from the bottom wall",

@@ -98,7 +98,7 @@ class MoveToTest {
     finish(world, 16); // past both arrivals
     assertThat(world.peg(0).center()).isEqualTo(new Vec2(15, 5));
     world.moveTo(Kind.PEG, 0, 20, 5, 20);
-    world.movePeg(0, 1, 1, 1);
+    world.setShape(Kind.PEG, 0, new Circle(1, 1, 1));
     assertThat(world.velocity(Kind.PEG, 0)).isEqualTo(Vec2.ZERO);
     finish(world, 30);
     assertThat(world.peg(0).center()).isEqualTo(new Vec2(1, 1));
@@ -222,7 +222,7 @@ class MoveToTest {
         finish(world, frame * DT);
       } else {
         finish(world, frame * DT);
-        world.moveLine(0, -10, y, 3010, y);
+        world.setShape(Kind.LINE, 0, new Line(-10, y, 3010, y));
       }
     }
     int below = 0;

@@ -194,7 +194,7 @@ class NearTiesTest {
       double start = Math.scalb(1.0, 30 + random.nextInt(20));
       BesidePlain both = BesidePlain.at(start, scene);
       double speed = Math.scalb(1 / Math.ulp(start), random.nextInt(6) - 1);
-      for (int i = 0; i < scene.circleCount(); i++) {
+      for (int i = 0; i < scene.count(Kind.CIRCLE); i++) {
         double vx = speed * (random.nextInt(9) - 4);
         double vy = speed * (random.nextInt(9) - 4);
         both.setVelocity(i, vx, vy);

@@ -60,9 +60,9 @@ abstract class PlainState {
     registry = new CircleRegistry(scene.data, 1);
     gravity = new Gravity(scene.data.gx, scene.data.gy);
     respond();
-    for (int i = 0; i < scene.circleCount(); i++) {
-      Circle c = scene.circle(i);
-      Vec2 v = scene.velocity(i);
+    for (int i = 0; i < scene.count(Kind.CIRCLE); i++) {
+      Circle c = (Circle) scene.shape(Kind.CIRCLE, i);
+      Vec2 v = scene.velocity(Kind.CIRCLE, i);
       MovingCircle m = new MovingCircle();
       m.start(
           i, c.x(), c.y(), c.radius(), v.x(), v.y(), scene.traits(Kind.CIRCLE, i).restitution());

@@ -86,7 +86,7 @@ final class PlainTrack {
    */
   static List<String> restWithoutSupport(World world) {
     List<String> wrong = new ArrayList<>();
-    for (int i = 0; i < world.circleCount(); i++) {
+    for (int i = 0; i < world.count(Kind.CIRCLE); i++) {
       if (world.isResting(i) && !isHeld(world, i)) {
         wrong.add("ball " + i + " rests at (" + world.x(i) + ", " + world.y(i) + ")");
       }
@@ -109,7 +109,7 @@ final class PlainTrack {
       Vec2 p = world.line(k).closestPoint(new Vec2(x, y));
       points.add(new double[] {p.x(), p.y(), r});
     }
-    for (int j = 0; j < world.circleCount(); j++) {
+    for (int j = 0; j < world.count(Kind.CIRCLE); j++) {
       if (j != i) {
         points.add(new double[] {world.x(j), world.y(j), r + world.radius(j)});
       }

@@ -115,19 +115,19 @@ class PointParticlesTest {
         .isThrownBy(() -> lines.addCircle(5, 5, 0, 0, 0, Traits.DEFAULT))
         .withMessage("circle 1: radius is 0.0: expected more than 0, as there are lines");
     assertThatIllegalArgumentException()
-        .isThrownBy(() -> lines.setRadius(0, 0))
+        .isThrownBy(() -> lines.setShape(Kind.CIRCLE, 0, new Circle(lines.x(0), lines.y(0), 0)))
         .withMessage("circle 0: radius is 0.0: expected more than 0, as there are lines");
     lines.remove(Kind.LINE, 0);
-    lines.setRadius(0, 0);
+    lines.setShape(Kind.CIRCLE, 0, new Circle(lines.x(0), lines.y(0), 0));
     assertThatIllegalArgumentException()
         .isThrownBy(() -> lines.addLine(0, 0, 1, 1, Traits.DEFAULT))
         .withMessage(
             "line 1: radius of circle 0 is 0.0: expected more than 0, for a line to be added");
     assertThat(lines.ids(Kind.LINE)).isEmpty();
     lines.step(1);
-    lines.setRadius(0, 2);
+    lines.setShape(Kind.CIRCLE, 0, new Circle(lines.x(0), lines.y(0), 2));
     assertThat(lines.addLine(0, 0, 1, 1, Traits.DEFAULT)).isEqualTo(1);
-    lines.setRadius(0, 1e-3);
+    lines.setShape(Kind.CIRCLE, 0, new Circle(lines.x(0), lines.y(0), 1e-3));
   }
 
   /** The smallest radius above 0 limits coordinates; points do not. */

@@ -78,7 +78,7 @@ class PublicApiTest {
     void ours() {}
   }
 
-  private static List<Class<?>> classes(Class<?> one) throws Exception {
+  static List<Class<?>> classes(Class<?> one) throws Exception {
     List<Class<?>> found = new ArrayList<>();
     for (String name : names(one)) {
       Class<?> type = Class.forName(name, false, one.getClassLoader());

@@ -193,12 +193,16 @@ class QuestionsTest {
     for (int i = 0; i < (round == 3 ? 60 : 4); i++) {
       double x = place(random, unit);
       double y = place(random, unit);
-      world.moveLine(lines[i], x, y, x + way(random, unit), y + way(random, unit));
+      world.setShape(
+          Kind.LINE, lines[i], new Line(x, y, x + way(random, unit), y + way(random, unit)));
       world.addLine(y, x, x, y, Traits.DEFAULT);
     }
     world.remove(Kind.LINE, lines[lines.length / 2]);
     world.remove(Kind.PEG, pegs[round]);
-    world.movePeg(pegs[9], place(random, unit), place(random, unit), radius(random, unit));
+    world.setShape(
+        Kind.PEG,
+        pegs[9],
+        new Circle(place(random, unit), place(random, unit), radius(random, unit)));
     world.addPeg(place(random, unit), place(random, unit), radius(random, unit), Traits.DEFAULT);
     world.setVelocity(Kind.PEG, pegs[10 + round], speed(random, unit), unit);
     world.setVelocity(Kind.LINE, lines[10], 0, 0);

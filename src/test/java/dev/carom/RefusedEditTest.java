@@ -56,13 +56,17 @@ class RefusedEditTest {
         refused("circle 1: y is -1.0E13" + TOO_LARGE, w -> w.setPosition(1, 0, -1e13)),
         refused(
             "circle 0: radius is 0.0: expected more than 0, as there are lines",
-            w -> w.setRadius(0, 0)),
-        refused("circle 0: radius is NaN: expected a finite", w -> w.setRadius(0, NAN)),
-        refused("circle 0: radius is Infinity: expected a finite", w -> w.setRadius(0, INF)),
+            w -> w.setShape(Kind.CIRCLE, 0, new Circle(w.x(0), w.y(0), 0))),
+        refused(
+            "radius is NaN: expected a finite",
+            w -> w.setShape(Kind.CIRCLE, 0, new Circle(w.x(0), w.y(0), NAN))),
+        refused(
+            "radius is Infinity: expected a finite",
+            w -> w.setShape(Kind.CIRCLE, 0, new Circle(w.x(0), w.y(0), INF))),
         refused(
             "circle 1: radius is 1.0E-11: expected at least 1.1641532182693481E-10, 2^10 ulps of"
                 + " the largest coordinate, 1000.0",
-            w -> w.setRadius(1, 1e-11)),
+            w -> w.setShape(Kind.CIRCLE, 1, new Circle(w.x(1), w.y(1), 1e-11))),
         refused(
             "mass is 0.0: expected a number from 2^-500",
             w -> w.setTraits(Kind.CIRCLE, 1, w.traits(Kind.CIRCLE, 1).withMass(0))),
@@ -84,13 +88,18 @@ class RefusedEditTest {
         refused("circle 3: vy is NaN" + FINITE, w -> w.addCircle(1, 1, 1, 1, NAN, Traits.DEFAULT)),
         refused("line 2: ax is NaN" + FINITE, w -> w.addLine(NAN, 1, 1, 1, Traits.DEFAULT)),
         refused("line 2: by is 1.0E13" + TOO_LARGE, w -> w.addLine(1, 1, 1, 1e13, Traits.DEFAULT)),
-        refused("line 0: bx is -Infinity" + FINITE, w -> w.moveLine(0, 1, 1, -INF, 1)),
-        refused("line 0: ay is 1.0E13" + TOO_LARGE, w -> w.moveLine(0, 1, 1e13, 1, 1)),
+        refused("bx is -Infinity" + FINITE, w -> w.setShape(Kind.LINE, 0, new Line(1, 1, -INF, 1))),
+        refused(
+            "line 0: ay is 1.0E13" + TOO_LARGE,
+            w -> w.setShape(Kind.LINE, 0, new Line(1, 1e13, 1, 1))),
         refused("peg 2: x is NaN" + FINITE, w -> w.addPeg(NAN, 1, 1, Traits.DEFAULT)),
         refused(
             "peg 2: radius is -1.0: expected a finite", w -> w.addPeg(1, 1, -1, Traits.DEFAULT)),
-        refused("peg 0: y is 1.0E13" + TOO_LARGE, w -> w.movePeg(0, 1, 1e13, 1)),
-        refused("peg 0: radius is NaN: expected a finite", w -> w.movePeg(0, 1, 1, NAN)),
+        refused(
+            "peg 0: y is 1.0E13" + TOO_LARGE, w -> w.setShape(Kind.PEG, 0, new Circle(1, 1e13, 1))),
+        refused(
+            "radius is NaN: expected a finite",
+            w -> w.setShape(Kind.PEG, 0, new Circle(1, 1, NAN))),
         refused(
             "restitution is -1.0: expected a finite",
             w -> w.setTraits(WALL, 0, w.traits(WALL, 0).withRestitution(-1))),
@@ -147,7 +156,7 @@ class RefusedEditTest {
     return Stream.of(
         refused("circle 2" + gone, w -> w.setVelocity(2, 1, 1)),
         refused("circle 2" + gone, w -> w.setPosition(2, 1, 1)),
-        refused("circle 2" + gone, w -> w.setRadius(2, 1)),
+        refused("circle 2" + gone, w -> w.setShape(Kind.CIRCLE, 2, new Circle(w.x(2), w.y(2), 1))),
         refused(
             "circle 2" + gone,
             w -> w.setTraits(Kind.CIRCLE, 2, w.traits(Kind.CIRCLE, 2).withMass(1))),
@@ -169,7 +178,7 @@ class RefusedEditTest {
         refused(
             "circle -1" + below + 2,
             w -> w.setTraits(CIRCLE, -1, w.traits(CIRCLE, -1).withResponse(Response.HALT))),
-        refused("line 1" + gone, w -> w.moveLine(1, 1, 2, 3, 4)),
+        refused("line 1" + gone, w -> w.setShape(Kind.LINE, 1, new Line(1, 2, 3, 4))),
         refused("line 1" + gone, w -> w.line(1)),
         refused(
             "line 1" + gone,
@@ -177,8 +186,8 @@ class RefusedEditTest {
         refused(
             "line 1" + gone,
             w -> w.setTraits(LINE, 1, w.traits(LINE, 1).withResponse(Response.HALT))),
-        refused("line 2" + below + 1, w -> w.moveLine(2, 1, 2, 3, 4)),
-        refused("peg 1" + gone, w -> w.movePeg(1, 1, 2, 3)),
+        refused("line 2" + below + 1, w -> w.setShape(Kind.LINE, 2, new Line(1, 2, 3, 4))),
+        refused("peg 1" + gone, w -> w.setShape(Kind.PEG, 1, new Circle(1, 2, 3))),
         refused("peg 1" + gone, w -> w.peg(1)),
         refused("peg 1" + gone, w -> w.remove(PEG, 1)),
         refused("peg 7" + below + 1, w -> w.setTraits(PEG, 7, w.traits(PEG, 7).withRestitution(1))),
@@ -214,10 +223,10 @@ class RefusedEditTest {
         w -> w.addCircle(0, 1e14, 16, 0, 0, Traits.DEFAULT),
         w -> w.addLine(-1e14, 1, 0, 0, Traits.DEFAULT),
         w -> w.addLine(0, 0, 1e14, 1, Traits.DEFAULT),
-        w -> w.moveLine(0, 1, 1e14, 0, 0),
-        w -> w.moveLine(0, 0, 0, 1, -1e14),
+        w -> w.setShape(Kind.LINE, 0, new Line(1, 1e14, 0, 0)),
+        w -> w.setShape(Kind.LINE, 0, new Line(0, 0, 1, -1e14)),
         w -> w.addPeg(1e14, 0, 1, Traits.DEFAULT),
-        w -> w.movePeg(0, 0, 1e14, 1));
+        w -> w.setShape(Kind.PEG, 0, new Circle(0, 1e14, 1)));
   }
 
   @ParameterizedTest
@@ -239,10 +248,10 @@ class RefusedEditTest {
   }
 
   private static void assertTooSmall(World world) {
-    assertThatThrownBy(() -> world.setRadius(0, 8))
+    assertThatThrownBy(() -> world.setShape(Kind.CIRCLE, 0, new Circle(world.x(0), world.y(0), 8)))
         .isInstanceOf(IllegalArgumentException.class)
         .hasMessageContaining("expected at least 16.0");
-    world.setRadius(0, 16);
+    world.setShape(Kind.CIRCLE, 0, new Circle(world.x(0), world.y(0), 16));
   }
 
   @Test

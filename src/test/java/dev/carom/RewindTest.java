@@ -154,12 +154,12 @@ class RewindTest {
             w -> w.setTraits(PEG, 0, w.traits(PEG, 0).withFilter(new Filter(2, 3))),
             w -> w.setVelocity(LINE, 1, 0.25, 0),
             w -> w.setVelocity(PEG, 0, 0, -0.5),
-            w -> w.setRadius(1, 2.5),
+            w -> w.setShape(Kind.CIRCLE, 1, new Circle(w.x(1), w.y(1), 2.5)),
             w -> w.addLine(1, 1, 2, 2, Traits.DEFAULT),
             w -> w.addPeg(1, 1, 0, Traits.DEFAULT),
             w -> w.remove(LINE, w.addLine(2, 1, 3, 2, Traits.DEFAULT)),
             w -> w.remove(CIRCLE, w.addCircle(5, 5, 1, 0, 0, Traits.DEFAULT)),
-            w -> w.moveLine(0, 1e6, 20, 40, 40));
+            w -> w.setShape(Kind.LINE, 0, new Line(1e6, 20, 40, 40)));
     World world = box(collide);
     Timeline past = world.record(MOST);
     TreeMap<Double, Snapshot> expected = new TreeMap<>();

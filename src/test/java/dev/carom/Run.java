@@ -67,7 +67,7 @@ public record Run(List<Row> impacts, List<State> end) {
    * each other, and all together 2,000 times as many besides.
    */
   public static long work(World world, int ofEach) {
-    return (WORK / 1_000 + world.circleCount()) * ofEach;
+    return (WORK / 1_000 + world.count(Kind.CIRCLE)) * ofEach;
   }
 
   /** Advances a world to a time in as many calls as that takes, and returns all impacts. */
@@ -105,7 +105,7 @@ public record Run(List<Row> impacts, List<State> end) {
   /** The states of all circles now. */
   public static List<State> states(World world) {
     List<State> states = new ArrayList<>();
-    for (int i = 0; i < world.circleCount(); i++) {
+    for (int i = 0; i < world.count(Kind.CIRCLE); i++) {
       states.add(new State(world.x(i), world.y(i), world.vx(i), world.vy(i)));
     }
     return states;

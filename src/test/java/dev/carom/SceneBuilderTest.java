@@ -131,7 +131,7 @@ class SceneBuilderTest {
     Scene first = builder.build();
     Scene second = builder.circle(9, 9, 1, 0, 0).restitution(0.5).build();
     assertThat(first).isEqualTo(two().build());
-    assertThat(second.circleCount()).isEqualTo(4);
+    assertThat(second.count(Kind.CIRCLE)).isEqualTo(4);
   }
 
   /** 2^10 ulps of 1024 are 2^10 2^-42. Whichever thing has the largest coordinate, it counts. */
@@ -157,7 +157,7 @@ class SceneBuilderTest {
     double least = 0x1p-32;
     SceneBuilder enough = Scene.builder().circle(0, 0, least, 1, 0);
     thing.accept(enough);
-    assertThat(enough.build().circle(0).radius()).isEqualTo(least);
+    assertThat(((Circle) enough.build().shape(Kind.CIRCLE, 0)).radius()).isEqualTo(least);
 
     double less = Math.nextDown(least);
     SceneBuilder tooSmall = Scene.builder().circle(0, 0, 1, 0, 0).circle(0, 0, less, 1, 0);

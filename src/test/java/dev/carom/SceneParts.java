@@ -21,18 +21,18 @@ public final class SceneParts {
                     .bounds(b.xmin(), b.ymin(), b.xmax(), b.ymax())
                     .restitution(scene.traits(Kind.WALL, 0).restitution()));
     for (int i : lines) {
-      Line l = scene.line(i);
+      Line l = (Line) scene.shape(Kind.LINE, i);
       builder
           .line(l.ax(), l.ay(), l.bx(), l.by())
           .restitution(scene.traits(Kind.LINE, i).restitution());
     }
     for (int i : pegs) {
-      Circle p = scene.peg(i);
+      Circle p = (Circle) scene.shape(Kind.PEG, i);
       builder.peg(p.x(), p.y(), p.radius()).restitution(scene.traits(Kind.PEG, i).restitution());
     }
     for (int i : circles) {
-      Circle c = scene.circle(i);
-      Vec2 v = scene.velocity(i);
+      Circle c = (Circle) scene.shape(Kind.CIRCLE, i);
+      Vec2 v = scene.velocity(Kind.CIRCLE, i);
       builder
           .circle(c.x(), c.y(), c.radius(), v.x(), v.y())
           .mass(scene.traits(Kind.CIRCLE, i).mass());

@@ -26,17 +26,17 @@ class SceneTest {
   void givesBackWhatWasAdded() {
     Scene scene = full().build();
     assertThat(scene.bounds()).contains(new Bounds(-1, -2, 801, 602));
-    assertThat(scene.lineCount()).isEqualTo(2);
-    assertThat(scene.line(0)).isEqualTo(new Line(11, 12, 13, 14));
-    assertThat(scene.line(1)).isEqualTo(new Line(21, 22, 23, 24));
-    assertThat(scene.pegCount()).isEqualTo(2);
-    assertThat(scene.peg(0)).isEqualTo(new Circle(31, 32, 33));
-    assertThat(scene.peg(1)).isEqualTo(new Circle(41, 42, 0));
-    assertThat(scene.circleCount()).isEqualTo(2);
-    assertThat(scene.circle(0)).isEqualTo(new Circle(51, 52, 53));
-    assertThat(scene.circle(1)).isEqualTo(new Circle(61, 62, 63));
-    assertThat(scene.velocity(0)).isEqualTo(new Vec2(54, 55));
-    assertThat(scene.velocity(1)).isEqualTo(new Vec2(64, 65));
+    assertThat(scene.count(Kind.LINE)).isEqualTo(2);
+    assertThat(scene.shape(Kind.LINE, 0)).isEqualTo(new Line(11, 12, 13, 14));
+    assertThat(scene.shape(Kind.LINE, 1)).isEqualTo(new Line(21, 22, 23, 24));
+    assertThat(scene.count(Kind.PEG)).isEqualTo(2);
+    assertThat(scene.shape(Kind.PEG, 0)).isEqualTo(new Circle(31, 32, 33));
+    assertThat(scene.shape(Kind.PEG, 1)).isEqualTo(new Circle(41, 42, 0));
+    assertThat(scene.count(Kind.CIRCLE)).isEqualTo(2);
+    assertThat(scene.shape(Kind.CIRCLE, 0)).isEqualTo(new Circle(51, 52, 53));
+    assertThat(scene.shape(Kind.CIRCLE, 1)).isEqualTo(new Circle(61, 62, 63));
+    assertThat(scene.velocity(Kind.CIRCLE, 0)).isEqualTo(new Vec2(54, 55));
+    assertThat(scene.velocity(Kind.CIRCLE, 1)).isEqualTo(new Vec2(64, 65));
     assertThat(scene.gravity()).isEqualTo(new Vec2(71, -72));
   }
 
@@ -86,7 +86,7 @@ class SceneTest {
     assertThatExceptionOfType(IndexOutOfBoundsException.class)
         .isThrownBy(() -> scene.traits(Kind.WALL, 0).restitution())
         .withMessage("wall 0 does not exist: the scene has none of them");
-    assertThat(scene.circleCount() + scene.lineCount() + scene.pegCount()).isZero();
+    assertThat(scene.count(Kind.CIRCLE) + scene.count(Kind.LINE) + scene.count(Kind.PEG)).isZero();
     assertThat(scene).hasToString("Scene[circles=0, lines=0, pegs=0, bounds=none]");
   }
 
@@ -105,16 +105,16 @@ class SceneTest {
   static Stream<Arguments> lookups() {
     Scene scene = full().build();
     return Stream.of(
-        lookup("circle", scene::circle),
-        lookup("circle", scene::velocity),
+        lookup("circle", i -> scene.shape(Kind.CIRCLE, i)),
+        lookup("circle", i -> scene.velocity(Kind.CIRCLE, i)),
         lookup("circle", i -> scene.traits(Kind.CIRCLE, i).mass()),
         lookup("circle", i -> scene.traits(Kind.CIRCLE, i).restitution()),
         lookup("circle", i -> scene.traits(Kind.CIRCLE, i).response()),
-        lookup("line", scene::line),
+        lookup("line", i -> scene.shape(Kind.LINE, i)),
         lookup("line", i -> scene.traits(Kind.LINE, i).restitution()),
         lookup("line", i -> scene.traits(Kind.LINE, i).response()),
         lookup("line", i -> scene.traits(Kind.LINE, i).oneWay()),
-        lookup("peg", scene::peg),
+        lookup("peg", i -> scene.shape(Kind.PEG, i)),
         lookup("peg", i -> scene.traits(Kind.PEG, i).restitution()),
         lookup("peg", i -> scene.traits(Kind.PEG, i).response()));
   }

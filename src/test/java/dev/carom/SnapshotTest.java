@@ -39,7 +39,7 @@ class SnapshotTest {
         w -> w.setVelocity(0, 4, 2),
         w -> w.setVelocity(0, 4, 1), // the same one: a new flight begins
         w -> w.setPosition(1, 80, 50),
-        w -> w.setRadius(1, 2.5),
+        w -> w.setShape(Kind.CIRCLE, 1, new Circle(w.x(1), w.y(1), 2.5)),
         w -> w.setTraits(Kind.CIRCLE, 1, w.traits(Kind.CIRCLE, 1).withMass(2)),
         w -> w.setTraits(CIRCLE, 1, w.traits(CIRCLE, 1).withRestitution(0.5)),
         w -> w.setTraits(WALL, 2, w.traits(WALL, 2).withRestitution(0.5)),
@@ -57,8 +57,8 @@ class SnapshotTest {
         w -> w.setVelocity(PEG, 0, 1, 0),
         w -> w.setTraits(Kind.LINE, 0, w.traits(Kind.LINE, 0).withOneWay(false)),
         w -> w.setTraits(Kind.LINE, 1, w.traits(Kind.LINE, 1).withOneWay(true)),
-        w -> w.moveLine(1, 60, 20, 80, 31),
-        w -> w.movePeg(0, 50, 70, 4),
+        w -> w.setShape(Kind.LINE, 1, new Line(60, 20, 80, 31)),
+        w -> w.setShape(Kind.PEG, 0, new Circle(50, 70, 4)),
         w -> w.addLine(1, 1, 2, 2, Traits.DEFAULT),
         w -> w.addPeg(1, 1, 0, Traits.DEFAULT),
         w -> w.addCircle(5, 5, 1, 0, 0, Traits.DEFAULT),
@@ -67,8 +67,8 @@ class SnapshotTest {
         w -> w.remove(CIRCLE, 1),
         w -> {
           // Back again, but a radius that was fine before is refused now.
-          w.moveLine(1, 1e9, 20, 80, 30);
-          w.moveLine(1, 60, 20, 80, 30);
+          w.setShape(Kind.LINE, 1, new Line(1e9, 20, 80, 30));
+          w.setShape(Kind.LINE, 1, new Line(60, 20, 80, 30));
         });
   }
 
@@ -127,7 +127,7 @@ class SnapshotTest {
       assertThat(world.now()).isEqualTo(10);
       assertThat(world.impacts().size()).isZero();
       assertThat(world.contains(LINE, 0)).isFalse();
-      assertThat(world.circleCount()).isEqualTo(4);
+      assertThat(world.count(Kind.CIRCLE)).isEqualTo(4);
       assertThat(Run.step(world, 1, 50)).isEqualTo(on);
     }
   }

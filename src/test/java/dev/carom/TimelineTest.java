@@ -160,7 +160,7 @@ class TimelineTest {
     World world = new World(scene.build());
     Timeline timeline = world.record(9);
     world.step(2);
-    world.setRadius(0, 0.5);
+    world.setShape(Kind.CIRCLE, 0, new Circle(world.x(0), world.y(0), 0.5));
     world.step(1);
     assertThat(timeline.shape(Kind.CIRCLE, 0, 1.5)).isEqualTo(new Circle(8, 7.5, 1));
     assertThat(timeline.shape(Kind.CIRCLE, 0, 2.5)).isEqualTo(new Circle(10, 8.5, 0.5));
@@ -272,7 +272,7 @@ class TimelineTest {
     }
     assertThat(past[0].contains(Kind.CIRCLE, 195, 195.5)).isFalse();
     assertThatThrownBy(() -> past[0].x(195, 195.5)).hasMessageContaining("from 196.0");
-    assertThat(world.circleCount()).isEqualTo(10);
+    assertThat(world.count(Kind.CIRCLE)).isEqualTo(10);
   }
 
   @Test
@@ -303,7 +303,7 @@ class TimelineTest {
     World old = turnover(false, 1_000_000, past);
     assertThat(usedMemory() - before).isLessThan(20_000_000);
     assertThat(past[0].start()).isGreaterThan(999_000);
-    assertThat(old.circleCount()).isEqualTo(young.circleCount());
+    assertThat(old.count(Kind.CIRCLE)).isEqualTo(young.count(Kind.CIRCLE));
   }
 
   @Test

@@ -138,7 +138,7 @@ class UncertaintyEditsTest {
   @Test
   void aPegOfTheSceneThatWasMovedMayBeHit() {
     double distance = 1 + RADIUS + error / 2;
-    world.movePeg(0, besideX(distance), besideY(distance), 1);
+    world.setShape(Kind.PEG, 0, new Circle(besideX(distance), besideY(distance), 1));
     assertThat(boundBehind()).isInfinite();
   }
 
@@ -146,7 +146,10 @@ class UncertaintyEditsTest {
   void whatWasMovedAwayIsNotHit() {
     int peg = addPegBeside();
     assertThat(uncertainty.bound(id)).isFinite();
-    world.movePeg(peg, besideX(1 + RADIUS + 8 * error), besideY(1 + RADIUS + 8 * error), 1);
+    world.setShape(
+        Kind.PEG,
+        peg,
+        new Circle(besideX(1 + RADIUS + 8 * error), besideY(1 + RADIUS + 8 * error), 1));
     assertThat(boundBehind()).isFinite();
   }
 
@@ -175,7 +178,7 @@ class UncertaintyEditsTest {
   void theRadiusOfTheCircleCounts() {
     double distance = 1 + 1.25 * RADIUS + error / 2;
     world.addPeg(besideX(distance), besideY(distance), 1, Traits.DEFAULT);
-    world.setRadius(id, 1.25 * RADIUS);
+    world.setShape(Kind.CIRCLE, id, new Circle(world.x(id), world.y(id), 1.25 * RADIUS));
     assertThat(boundBehind()).isInfinite();
   }
 

@@ -47,12 +47,12 @@ class WorldEditTest {
     for (int frame = 1; frame <= 24; frame++) {
       assertThat(world.impacts().size()).isZero();
       world.step(1);
-      world.moveLine(0, 50, 2 * frame, 50, 2 * frame + 20);
+      world.setShape(Kind.LINE, 0, new Line(50, 2 * frame, 50, 2 * frame + 20));
     }
     assertThat(times(world, LINE, 25)).containsExactly(25.0);
     assertThat(world.vx(0)).isEqualTo(-1);
     // It was hit last; put behind the circle, it is hit again.
-    world.moveLine(0, 20, 40, 20, 60);
+    world.setShape(Kind.LINE, 0, new Line(20, 40, 20, 60));
     assertThat(times(world, LINE, 60)).containsExactly(45.0);
   }
 
@@ -136,8 +136,8 @@ class WorldEditTest {
       World fresh = world(builder);
       Snapshot lines = world.snapshot();
       for (int i = 0; i < 20; i++) {
-        Circle c = world.scene().circle(i);
-        Vec2 v = world.scene().velocity(i);
+        Circle c = (Circle) world.scene().shape(Kind.CIRCLE, i);
+        Vec2 v = world.scene().velocity(Kind.CIRCLE, i);
         world.setPosition(i, c.x(), c.y());
         world.setVelocity(i, v.x(), v.y());
       }
@@ -209,8 +209,8 @@ class WorldEditTest {
     for (double v : new double[] {100 * S, -100 * S}) {
       assertHarmless(collide, v, w -> w.setVelocity(0, -v, 1));
       assertHarmless(collide, v, w -> w.setVelocity(0, 0, 0));
-      assertHarmless(collide, v, w -> w.setRadius(0, S / 2));
-      assertHarmless(collide, v, w -> w.setRadius(0, 7 * S));
+      assertHarmless(collide, v, w -> setRadius(w, S / 2));
+      assertHarmless(collide, v, w -> setRadius(w, 7 * S));
       assertHarmless(
           collide,
           v,
@@ -228,12 +228,18 @@ class WorldEditTest {
     }
   }
 
+  /** The centre stays where the world says that it is, within the doubles. */
+  private static void setRadius(World world, double radius) {
+    Circle now = (Circle) world.shape(CIRCLE, 0);
+    world.setShape(CIRCLE, 0, new Circle(now.center(), radius));
+  }
+
   /** Far out, but not put there: that does not keep a radius from being set. */
   @Test
   void theRadiusOfACircleThatFlewFarCanBeSet() {
     World world = world(Scene.builder().circle(0, 0, 1, 1e20, 0));
     world.step(1);
-    world.setRadius(0, 2);
+    world.setShape(Kind.CIRCLE, 0, new Circle(world.x(0), world.y(0), 2));
     assertThat(world.radius(0)).isEqualTo(2);
   }
 }

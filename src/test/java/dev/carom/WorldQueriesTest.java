@@ -134,13 +134,13 @@ class WorldQueriesTest {
       World world, Scene scene, Circle circle, Vec2 v, double T) {
     List<Impact> all = new ArrayList<>();
     scene.bounds().flatMap(b -> new SweptCircle(circle, v).cast(b, T)).ifPresent(all::add);
-    for (int i = 0; i < scene.lineCount(); i++) {
-      add(all, new SweptCircle(circle, v).cast(scene.line(i), T), Kind.LINE, i);
+    for (int i = 0; i < scene.count(Kind.LINE); i++) {
+      add(all, new SweptCircle(circle, v).cast(scene.shape(Kind.LINE, i), T), Kind.LINE, i);
     }
-    for (int i = 0; i < scene.pegCount(); i++) {
-      add(all, new SweptCircle(circle, v).cast(scene.peg(i), T), Kind.PEG, i);
+    for (int i = 0; i < scene.count(Kind.PEG); i++) {
+      add(all, new SweptCircle(circle, v).cast(scene.shape(Kind.PEG, i), T), Kind.PEG, i);
     }
-    for (int i = 0; i < world.circleCount(); i++) {
+    for (int i = 0; i < world.count(Kind.CIRCLE); i++) {
       Circle other = new Circle(world.x(i), world.y(i), world.radius(i));
       Vec2 u = new Vec2(world.vx(i), world.vy(i));
       add(all, new SweptCircle(circle, v).cast(new SweptCircle(other, u), T), Kind.CIRCLE, i);
@@ -189,8 +189,17 @@ class WorldQueriesTest {
       World world = new World(scene);
       Resolver resolver = scene.resolver();
       for (int id = 0; id < 20; id++) {
-        Trajectory path = world.trace(scene.circle(id), scene.velocity(id), 1, 60, 1000);
-        assertThat(resolver.trace(scene.circle(id), scene.velocity(id), 60)).isEqualTo(path);
+        Trajectory path =
+            world.trace(
+                (Circle) scene.shape(Kind.CIRCLE, id),
+                scene.velocity(Kind.CIRCLE, id),
+                1,
+                60,
+                1000);
+        assertThat(
+                resolver.trace(
+                    (Circle) scene.shape(Kind.CIRCLE, id), scene.velocity(Kind.CIRCLE, id), 60))
+            .isEqualTo(path);
         assertThat(path.complete()).isTrue();
         assertThat(path.duration()).isEqualTo(60);
         World run = new World(scene);
@@ -334,7 +343,7 @@ class WorldQueriesTest {
     int added = world.addPeg(5, 5, 2, Traits.DEFAULT);
     assertThat(world.nearest(Kind.PEG, 4, 4)).isEqualTo(added);
     assertThat(hit(world, 5)).isEqualTo(added);
-    world.movePeg(added, 15, 5, 2);
+    world.setShape(Kind.PEG, added, new Circle(15, 5, 2));
     assertThat(world.nearest(Kind.PEG, 4, 4)).isZero();
     assertThat(hit(world, 5)).isEqualTo(-1);
     assertThat(hit(world, 15)).isEqualTo(added);

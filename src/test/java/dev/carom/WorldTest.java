@@ -49,7 +49,7 @@ class WorldTest {
     World world = new World(scene);
     assertThat(world.now()).isZero();
     assertThat(world.scene()).isSameAs(scene);
-    assertThat(world.circleCount()).isEqualTo(2);
+    assertThat(world.count(Kind.CIRCLE)).isEqualTo(2);
     assertThat(world.impacts().size()).isZero();
     assertThat(world.radius(1)).isEqualTo(2);
     assertAt(world, 0, 0, 10);
@@ -379,8 +379,8 @@ class WorldTest {
   void eachLineIsTheSceneS() {
     Scene scene = Scene.builder().line(1, 2, 3, 4).line(5, 6, 7, 8).build();
     World world = new World(scene);
-    assertThat(world.line(0)).isEqualTo(scene.line(0));
-    assertThat(world.line(1)).isEqualTo(scene.line(1));
+    assertThat(world.line(0)).isEqualTo((Line) scene.shape(Kind.LINE, 0));
+    assertThat(world.line(1)).isEqualTo((Line) scene.shape(Kind.LINE, 1));
   }
 
   /** Coordinates may be -0; where a component of the normal is 0, it is not. */

@@ -3,6 +3,7 @@ package dev.carom.bench;
 
 import static org.assertj.core.api.Assertions.assertThat;
 
+import dev.carom.Kind;
 import dev.carom.Scene;
 import java.io.IOException;
 import java.io.StringReader;
@@ -167,7 +168,8 @@ class JavadocTest {
     List<String> files = find(SCENE, javadoc).map(JavadocTest::plain).toList();
     assertThat(files).hasSize(1);
     Scene scene = Scene.read(new StringReader(files.get(0)), "Javadoc");
-    assertThat(scene.lineCount() * scene.pegCount() * scene.circleCount()).isEqualTo(1);
+    assertThat(scene.count(Kind.LINE) * scene.count(Kind.PEG) * scene.count(Kind.CIRCLE))
+        .isEqualTo(1);
   }
 
   @Test

@@ -3,6 +3,7 @@ package dev.carom.stability;
 
 import static org.assertj.core.api.Assertions.assertThat;
 
+import dev.carom.Kind;
 import dev.carom.Run;
 import dev.carom.Scene;
 import dev.carom.SceneBuilder;
@@ -56,7 +57,7 @@ class BumpersTest {
         double speed = world.impacts().approachSpeed(row);
         fastest = speed > fastest ? speed : fastest; // beyond the range of doubles it is NaN
       }
-      for (int i = 0; i < world.circleCount(); i++) {
+      for (int i = 0; i < world.count(Kind.CIRCLE); i++) {
         assertInside(world.x(i), frame, i);
         assertInside(world.y(i), frame, i);
         assertThat(past.x(i, world.now())).isEqualTo(world.x(i));

@@ -94,7 +94,7 @@ class ExtremeWorldsTest {
       switch (e.random.nextInt(8)) {
         case 0 -> world.setVelocity(0, e.any(), e.any());
         case 1 -> world.setPosition(1, e.any(), e.any());
-        case 2 -> world.setRadius(2, e.any());
+        case 2 -> world.setShape(Kind.CIRCLE, 2, new Circle(world.x(2), world.y(2), e.any()));
         case 3 -> world.addLine(e.any(), e.any(), e.any(), e.any(), Traits.DEFAULT);
         case 4 -> world.addPeg(e.any(), e.any(), e.any(), Traits.DEFAULT);
         case 5 -> world.addCircle(e.any(), e.any(), e.size(), e.any(), e.any(), Traits.DEFAULT);

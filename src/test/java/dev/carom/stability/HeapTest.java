@@ -4,6 +4,7 @@ package dev.carom.stability;
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.within;
 
+import dev.carom.Kind;
 import dev.carom.Scene;
 import dev.carom.SceneBuilder;
 import dev.carom.World;
@@ -38,7 +39,7 @@ class HeapTest {
   private static int play(World world, int frames, int from) {
     int most = 0;
     for (int frame = 0; frame < frames; frame++) {
-      for (int i = 0; i < world.circleCount(); i++) {
+      for (int i = 0; i < world.count(Kind.CIRCLE); i++) {
         world.setVelocity(i, world.vx(i), world.vy(i) - 0.05);
       }
       world.step(1);
@@ -49,7 +50,7 @@ class HeapTest {
 
   private static double overlap(World world) {
     double most = 0;
-    for (int i = 0; i < world.circleCount(); i++) {
+    for (int i = 0; i < world.count(Kind.CIRCLE); i++) {
       double wall = Math.min(world.x(i), Math.min(100 - world.x(i), world.y(i)));
       most = Math.max(most, 3 - wall);
       for (int j = 0; j < i; j++) {

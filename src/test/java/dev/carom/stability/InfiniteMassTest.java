@@ -4,6 +4,7 @@ package dev.carom.stability;
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.within;
 
+import dev.carom.Circle;
 import dev.carom.ImpactLog;
 import dev.carom.Kind;
 import dev.carom.Outcome;
@@ -155,7 +156,7 @@ class InfiniteMassTest {
     scene.circle(5, 0, 1, -1, 0).mass(INFINITE).circle(0, 99, 1, 0, 0).restitution(1);
     World world = new World(scene.build());
     world.advanceTo(9);
-    world.setRadius(0, 1);
+    world.setShape(Kind.CIRCLE, 0, new Circle(world.x(0), world.y(0), 1));
     world.setPosition(3, -2, 0);
     world.setVelocity(3, 10, 0); // the circle is stuck, so they go on together
     world.advanceTo(9.25);

@@ -4,7 +4,9 @@ package dev.carom.stability;
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.assertThatThrownBy;
 
+import dev.carom.Circle;
 import dev.carom.Kind;
+import dev.carom.Line;
 import dev.carom.Response;
 import dev.carom.Scene;
 import dev.carom.SceneBuilder;
@@ -44,14 +46,14 @@ class NothingHalfDoneTest {
             () -> world.advanceTo(-1),
             () -> world.setPosition(0, 8, NAN),
             () -> world.setVelocity(0, 8, NAN),
-            () -> world.setRadius(0, 0),
+            () -> world.setShape(Kind.CIRCLE, 0, new Circle(world.x(0), world.y(0), 0)),
             () -> world.setTraits(Kind.CIRCLE, 0, world.traits(Kind.CIRCLE, 0).withMass(0)),
             () -> world.setTraits(Kind.LINE, 0, world.traits(Kind.LINE, 0).withRestitution(-1)),
             () ->
                 world.setTraits(
                     Kind.WALL, 0, world.traits(Kind.WALL, 0).withResponse(Response.SENSOR)),
-            () -> world.moveLine(0, 1, 1, 2, NAN),
-            () -> world.movePeg(0, 1, 1, -1),
+            () -> world.setShape(Kind.LINE, 0, new Line(1, 1, 2, NAN)),
+            () -> world.setShape(Kind.PEG, 0, new Circle(1, 1, -1)),
             () -> world.addLine(1, 1, 2, 1e300, Traits.DEFAULT),
             () -> world.addPeg(1, NAN, 1, Traits.DEFAULT),
             () -> world.addCircle(1, 1, 1e-20, 1, 1, Traits.DEFAULT),

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 package dev.carom.bench.charts;
 
+import dev.carom.Kind;
 import dev.carom.Scene;
 import dev.carom.bench.results.WholeFile;
 import java.awt.Dimension;
@@ -75,8 +76,11 @@ public final class Pictures {
   }
 
   private static String contents(Scene scene) {
-    String pegs = scene.pegCount() == 0 ? "" : ", " + count(scene.pegCount(), "peg");
-    return count(scene.circleCount(), "circle") + ", " + count(scene.lineCount(), "line") + pegs;
+    String pegs = scene.count(Kind.PEG) == 0 ? "" : ", " + count(scene.count(Kind.PEG), "peg");
+    return count(scene.count(Kind.CIRCLE), "circle")
+        + ", "
+        + count(scene.count(Kind.LINE), "line")
+        + pegs;
   }
 
   private static String count(int n, String thing) {

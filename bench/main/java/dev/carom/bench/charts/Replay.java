@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 package dev.carom.bench.charts;
 
+import dev.carom.Kind;
 import dev.carom.Scene;
 import dev.carom.World;
 import java.util.ArrayList;
@@ -20,7 +21,7 @@ record Replay(List<Still> opening, Still middle, Still end) {
   /** Runs a scene for a number of frames of length 1 and keeps at most so many of the first. */
   static Replay of(Scene scene, int frames, int openingFrames) {
     World world = new World(scene);
-    Glow glow = new Glow(scene.circleCount(), GLOW);
+    Glow glow = new Glow(scene.count(Kind.CIRCLE), GLOW);
     List<Still> opening = new ArrayList<>();
     Still middle = null;
     for (int frame = 0; frame <= frames; frame++) {

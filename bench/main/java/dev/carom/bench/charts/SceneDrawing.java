@@ -3,6 +3,7 @@ package dev.carom.bench.charts;
 
 import dev.carom.Bounds;
 import dev.carom.Circle;
+import dev.carom.Kind;
 import dev.carom.Line;
 import dev.carom.Scene;
 import dev.carom.Trajectory;
@@ -223,12 +224,12 @@ public final class SceneDrawing {
   private void obstacles(Graphics2D g, AffineTransform map) {
     g.setColor(scheme.ink());
     g.setStroke(Style.line(Style.FIRM));
-    for (int i = 0; i < scene.pegCount(); i++) {
-      Circle peg = scene.peg(i);
+    for (int i = 0; i < scene.count(Kind.PEG); i++) {
+      Circle peg = (Circle) scene.shape(Kind.PEG, i);
       g.fill(disk(map, peg.x(), peg.y(), peg.radius()));
     }
-    for (int i = 0; i < scene.lineCount(); i++) {
-      Line line = scene.line(i);
+    for (int i = 0; i < scene.count(Kind.LINE); i++) {
+      Line line = (Line) scene.shape(Kind.LINE, i);
       g.draw(new Line2D.Double(point(map, line.ax(), line.ay()), point(map, line.bx(), line.by())));
     }
   }
@@ -311,8 +312,8 @@ public final class SceneDrawing {
 
   private static double fastest(Scene scene) {
     double fastest = 0;
-    for (int i = 0; i < scene.circleCount(); i++) {
-      fastest = Math.max(fastest, scene.velocity(i).length());
+    for (int i = 0; i < scene.count(Kind.CIRCLE); i++) {
+      fastest = Math.max(fastest, scene.velocity(Kind.CIRCLE, i).length());
     }
     return fastest;
   }

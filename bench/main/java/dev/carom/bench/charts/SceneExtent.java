@@ -3,6 +3,7 @@ package dev.carom.bench.charts;
 
 import dev.carom.Bounds;
 import dev.carom.Circle;
+import dev.carom.Kind;
 import dev.carom.Line;
 import dev.carom.Scene;
 import java.awt.geom.Rectangle2D;
@@ -32,16 +33,16 @@ final class SceneExtent {
   }
 
   private void includeAll(Scene scene) {
-    for (int i = 0; i < scene.lineCount(); i++) {
-      Line line = scene.line(i);
+    for (int i = 0; i < scene.count(Kind.LINE); i++) {
+      Line line = (Line) scene.shape(Kind.LINE, i);
       include(line.ax(), line.ay(), 0);
       include(line.bx(), line.by(), 0);
     }
-    for (int i = 0; i < scene.pegCount(); i++) {
-      include(scene.peg(i));
+    for (int i = 0; i < scene.count(Kind.PEG); i++) {
+      include((Circle) scene.shape(Kind.PEG, i));
     }
-    for (int i = 0; i < scene.circleCount(); i++) {
-      include(scene.circle(i));
+    for (int i = 0; i < scene.count(Kind.CIRCLE); i++) {
+      include((Circle) scene.shape(Kind.CIRCLE, i));
     }
   }
 

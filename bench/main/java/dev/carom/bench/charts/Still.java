@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 package dev.carom.bench.charts;
 
+import dev.carom.Circle;
+import dev.carom.Kind;
 import dev.carom.Scene;
 import dev.carom.World;
 import java.awt.Color;
@@ -25,12 +27,18 @@ public final class Still {
 
   /** The circles of a scene at time 0. */
   public static Still of(Scene scene) {
-    Still still = new Still(scene.circleCount());
-    for (int i = 0; i < scene.circleCount(); i++) {
-      double radius = scene.circle(i).radius();
-      double vx = scene.velocity(i).x();
-      double vy = scene.velocity(i).y();
-      still.set(i, scene.circle(i).x(), scene.circle(i).y(), radius, vx, vy);
+    Still still = new Still(scene.count(Kind.CIRCLE));
+    for (int i = 0; i < scene.count(Kind.CIRCLE); i++) {
+      double radius = ((Circle) scene.shape(Kind.CIRCLE, i)).radius();
+      double vx = scene.velocity(Kind.CIRCLE, i).x();
+      double vy = scene.velocity(Kind.CIRCLE, i).y();
+      still.set(
+          i,
+          ((Circle) scene.shape(Kind.CIRCLE, i)).x(),
+          ((Circle) scene.shape(Kind.CIRCLE, i)).y(),
+          radius,
+          vx,
+          vy);
     }
     return still;
   }
@@ -42,8 +50,8 @@ public final class Still {
    * @return its circles, without glow
    */
   public static Still of(World world) {
-    Still still = new Still(world.circleCount());
-    for (int i = 0; i < world.circleCount(); i++) {
+    Still still = new Still(world.count(Kind.CIRCLE));
+    for (int i = 0; i < world.count(Kind.CIRCLE); i++) {
       still.set(i, world.x(i), world.y(i), world.radius(i), world.vx(i), world.vy(i));
     }
     return still;

@@ -3,6 +3,7 @@ package dev.carom.bench.charts;
 
 import dev.carom.Bounds;
 import dev.carom.Circle;
+import dev.carom.Kind;
 import dev.carom.Line;
 import dev.carom.Scene;
 import java.awt.Graphics2D;
@@ -38,8 +39,8 @@ public final class Thumbnail {
     double left = (WIDTH - scale * extent.getWidth()) / 2 - scale * extent.getX();
     double top = (HEIGHT + scale * extent.getHeight()) / 2 + scale * extent.getY();
     Map<Double, Path2D> circles = new TreeMap<>();
-    for (int i = 0; i < scene.circleCount(); i++) {
-      Circle c = scene.circle(i);
+    for (int i = 0; i < scene.count(Kind.CIRCLE); i++) {
+      Circle c = (Circle) scene.shape(Kind.CIRCLE, i);
       double width = Math.max(1.5, 2 * scale * c.radius());
       double x = left + scale * c.x();
       double y = top - scale * c.y();
@@ -54,8 +55,8 @@ public final class Thumbnail {
           g.draw(path);
         });
     Path2D lines = new Path2D.Double();
-    for (int k = 0; k < scene.lineCount(); k++) {
-      Line l = scene.line(k);
+    for (int k = 0; k < scene.count(Kind.LINE); k++) {
+      Line l = (Line) scene.shape(Kind.LINE, k);
       lines.append(
           new Line2D.Double(
               left + scale * l.ax(),

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 package dev.carom.bench.cli;
 
+import dev.carom.Kind;
 import dev.carom.Scene;
 import dev.carom.bench.experiment.CannotPlaceException;
 import dev.carom.bench.experiment.Crosses;
@@ -91,10 +92,10 @@ final class FuzzCommand implements Callable<Integer> {
       paramLabel = "KIND",
       converter = Kinds.class,
       description = {
-        "With --impacts: a scene on which the end rule works, instead of the canonical one: trapped circles,"
-            + " pockets of some ulps, infinite masses, doors that crush balls, a heap that each"
-            + " step pushes downwards, or bumpers; or balls under gravity: a fall among slopes and"
-            + " pegs, a pile, or plinko (${COMPLETION-CANDIDATES})."
+        "With --impacts: a scene on which the end rule works, instead of the canonical one: trapped"
+            + " circles, pockets of some ulps, infinite masses, doors that crush balls, a heap that"
+            + " each step pushes downwards, or bumpers; or balls under gravity: a fall among slopes"
+            + " and pegs, a pile, or plinko (${COMPLETION-CANDIDATES})."
       })
   private EndScene.Layout kind;
 
@@ -193,7 +194,7 @@ final class FuzzCommand implements Callable<Integer> {
     print(
         kind == null
             ? "soak       %s--circles %d --seed %d"
-                .formatted(gas ? "--gas " : "", scene.circleCount(), seed)
+                .formatted(gas ? "--gas " : "", scene.count(Kind.CIRCLE), seed)
             : "soak       --scene " + kind + " --seed " + seed);
     try (Progress progress = Progress.start("fuzz", Soak.ROUNDS)) {
       RoundsLeft left = new RoundsLeft(progress, spec.commandLine().getErr());

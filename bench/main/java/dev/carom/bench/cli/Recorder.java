@@ -27,7 +27,7 @@ record Recorder(OutputFile positions, OutputFile impacts) {
     if (positions == null) {
       return;
     }
-    for (int id = 0; id < world.circleCount(); id++) {
+    for (int id = 0; id < world.count(Kind.CIRCLE); id++) {
       positions.row(frame, id, Decimals.shortest(world.x(id)), Decimals.shortest(world.y(id)));
     }
   }

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 package dev.carom.bench.cli;
 
+import dev.carom.Kind;
 import dev.carom.Scene;
 import dev.carom.bench.reference.LastPlace;
 import dev.carom.bench.reference.References;
@@ -112,7 +113,7 @@ final class ReferenceCommand implements Callable<Integer> {
     PrintWriter out = spec.commandLine().getOut();
     Scene scene = Scene.read(file);
     List<LastPlace> places;
-    try (Progress progress = Progress.start(file.toString(), scene.circleCount())) {
+    try (Progress progress = Progress.start(file.toString(), scene.count(Kind.CIRCLE))) {
       places = LastPlace.of(scene, frames, digits, progress::step);
     }
     out.println("circle,x,y");
@@ -127,7 +128,7 @@ final class ReferenceCommand implements Callable<Integer> {
   private String truth(String name, Scene scene) throws IOException {
     long start = System.nanoTime();
     Truth truth;
-    try (Progress progress = Progress.start(name, scene.circleCount())) {
+    try (Progress progress = Progress.start(name, scene.count(Kind.CIRCLE))) {
       truth = Truth.of(scene, frames, progress::step);
     }
     double seconds = (System.nanoTime() - start) / 1e9;

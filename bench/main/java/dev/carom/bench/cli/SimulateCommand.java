@@ -2,6 +2,7 @@
 package dev.carom.bench.cli;
 
 import dev.carom.Scene;
+import dev.carom.Warning;
 import java.io.IOException;
 import java.io.PrintWriter;
 import java.nio.file.Path;
@@ -88,7 +89,7 @@ final class SimulateCommand implements Callable<Integer> {
   }
 
   /** Tells of circles that begin where they overlap something, of so many and no more. */
-  private void warn(List<String> warnings) {
+  private void warn(List<Warning> warnings) {
     String prefix = spec.qualifiedName() + ": warning: ";
     PrintWriter err = spec.commandLine().getErr();
     warnings.stream().limit(MOST_WARNINGS).forEach(warning -> err.println(prefix + warning));

@@ -58,7 +58,7 @@ final class Simulation {
             Locale.ROOT,
             "time %s: %s, %s, %,d of them with walls",
             Decimals.shortest(world.now()),
-            Counted.of(world.circleCount(), "circle"),
+            Counted.of(world.count(Kind.CIRCLE), "circle"),
             Counted.of(impacts, "impact"),
             wallImpacts);
     return line + times(jammed, "jammed") + times(settled, "settled");

@@ -2,6 +2,7 @@
 package dev.carom.bench.duel;
 
 import dev.carom.Bounds;
+import dev.carom.Circle;
 import dev.carom.Kind;
 import dev.carom.Scene;
 import dev.carom.Vec2;
@@ -49,13 +50,13 @@ final class Contestant implements AutoCloseable {
   Contestant(Contender contender, Scene scene) {
     this.scene = scene;
     solid = new SolidScene(scene);
-    kept = Math.max(WINDOW, NUMBERS / Math.max(1, STATE * scene.circleCount()));
-    double[] states = new double[STATE * scene.circleCount()];
-    for (int i = 0; i < scene.circleCount(); i++) {
-      states[STATE * i] = scene.circle(i).x();
-      states[STATE * i + 1] = scene.circle(i).y();
-      states[STATE * i + 2] = scene.velocity(i).x();
-      states[STATE * i + 3] = scene.velocity(i).y();
+    kept = Math.max(WINDOW, NUMBERS / Math.max(1, STATE * scene.count(Kind.CIRCLE)));
+    double[] states = new double[STATE * scene.count(Kind.CIRCLE)];
+    for (int i = 0; i < scene.count(Kind.CIRCLE); i++) {
+      states[STATE * i] = ((Circle) scene.shape(Kind.CIRCLE, i)).x();
+      states[STATE * i + 1] = ((Circle) scene.shape(Kind.CIRCLE, i)).y();
+      states[STATE * i + 2] = scene.velocity(Kind.CIRCLE, i).x();
+      states[STATE * i + 3] = scene.velocity(Kind.CIRCLE, i).y();
     }
     energyAtStart = energy(states);
     double energy = energyAtStart > 0 ? 1 : Double.NaN;
@@ -106,7 +107,7 @@ final class Contestant implements AutoCloseable {
   }
 
   private PlayedFrame judged(PlayedFrame before) {
-    int n = scene.circleCount();
+    int n = scene.count(Kind.CIRCLE);
     double[] states = new double[STATE * n];
     for (int i = 0; i < n; i++) {
       states[STATE * i] = method.x(i);
@@ -147,14 +148,17 @@ final class Contestant implements AutoCloseable {
   /** The deepest overlap of a circle with those after it, in its own radii. */
   private double depthInOthers(double[] states, BitSet lost, int i) {
     double deepest = 0;
-    for (int j = i + 1; scene.collide() && j < scene.circleCount(); j++) {
+    for (int j = i + 1; scene.collide() && j < scene.count(Kind.CIRCLE); j++) {
       if (!lost.get(j)) {
         double distance =
             Math.hypot(
                 states[STATE * i] - states[STATE * j],
                 states[STATE * i + 1] - states[STATE * j + 1]);
-        double reach = scene.circle(i).radius() + scene.circle(j).radius();
-        deepest = Math.max(deepest, (reach - distance) / scene.circle(i).radius());
+        double reach =
+            ((Circle) scene.shape(Kind.CIRCLE, i)).radius()
+                + ((Circle) scene.shape(Kind.CIRCLE, j)).radius();
+        deepest =
+            Math.max(deepest, (reach - distance) / ((Circle) scene.shape(Kind.CIRCLE, i)).radius());
       }
     }
     return deepest;
@@ -162,7 +166,7 @@ final class Contestant implements AutoCloseable {
 
   private double energy(double[] states) {
     double sum = 0;
-    for (int i = 0; i < scene.circleCount(); i++) {
+    for (int i = 0; i < scene.count(Kind.CIRCLE); i++) {
       double vx = states[STATE * i + 2];
       double vy = states[STATE * i + 3];
       if (scene.traits(Kind.CIRCLE, i).mass() < Double.POSITIVE_INFINITY) {
@@ -183,7 +187,7 @@ final class Contestant implements AutoCloseable {
     }
     Bounds b = scene.bounds().get();
     Vec2 g = scene.gravity();
-    double r = scene.circle(i).radius();
+    double r = ((Circle) scene.shape(Kind.CIRCLE, i)).radius();
     double lowX = g.x() > 0 ? b.xmax() - r : b.xmin() + r;
     double lowY = g.y() > 0 ? b.ymax() - r : b.ymin() + r;
     return g.x() * (lowX - x) + g.y() * (lowY - y);

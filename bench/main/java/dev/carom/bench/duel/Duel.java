@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 package dev.carom.bench.duel;
 
+import dev.carom.Circle;
+import dev.carom.Kind;
 import dev.carom.Scene;
 import dev.carom.bench.methods.Contender;
 import dev.carom.bench.methods.PlainScene;
@@ -184,7 +186,9 @@ public final class Duel implements AutoCloseable {
     for (int i = 0; i < played.circles(); i++) {
       double x = isKnown(frame) ? truth.x(frame, i) : own.x(i);
       double y = isKnown(frame) ? truth.y(frame, i) : own.y(i);
-      double error = Math.hypot(played.x(i) - x, played.y(i) - y) / scene.circle(i).radius();
+      double error =
+          Math.hypot(played.x(i) - x, played.y(i) - y)
+              / ((Circle) scene.shape(Kind.CIRCLE, i)).radius();
       errors[i] = Double.isNaN(error) ? Double.POSITIVE_INFINITY : error;
     }
     Arrays.sort(errors);

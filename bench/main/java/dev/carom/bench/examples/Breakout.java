@@ -2,6 +2,7 @@
 package dev.carom.bench.examples;
 
 import dev.carom.Kind;
+import dev.carom.Line;
 import dev.carom.Scene;
 import dev.carom.SceneBuilder;
 import dev.carom.Vec2;
@@ -85,7 +86,7 @@ public final class Breakout implements Example {
     goal += push;
     double x = Math.max(HALF, Math.min(WIDTH - HALF, Double.isNaN(goal) ? follow : goal));
     paddle += Math.max(-2 * SPEED, Math.min(2 * SPEED, x - paddle));
-    world.moveLine(PADDLE, paddle - HALF, LEVEL, paddle + HALF, LEVEL);
+    world.setShape(Kind.LINE, PADDLE, new Line(paddle - HALF, LEVEL, paddle + HALF, LEVEL));
   }
 
   private void hit(int line) {

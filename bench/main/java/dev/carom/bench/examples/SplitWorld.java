@@ -41,7 +41,7 @@ public final class SplitWorld implements AutoCloseable {
     if (threads < 1) {
       throw new IllegalArgumentException("threads is " + threads + ": expected at least 1");
     }
-    int circles = scene.circleCount();
+    int circles = scene.count(Kind.CIRCLE);
     for (int k = 0; k < threads; k++) {
       int from = (int) ((long) circles * k / threads);
       int to = (int) ((long) circles * (k + 1) / threads);
@@ -52,7 +52,7 @@ public final class SplitWorld implements AutoCloseable {
 
   private static World part(Scene scene, int from, int to) {
     World part = new World(scene);
-    for (int id = 0; id < scene.circleCount(); id++) {
+    for (int id = 0; id < scene.count(Kind.CIRCLE); id++) {
       if (id < from || id >= to) {
         part.remove(Kind.CIRCLE, id);
       }

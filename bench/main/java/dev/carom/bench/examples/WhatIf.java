@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 package dev.carom.bench.examples;
 
+import dev.carom.Kind;
+import dev.carom.Line;
 import dev.carom.Scene;
 import dev.carom.SceneBuilder;
 import dev.carom.Timeline;
@@ -73,7 +75,8 @@ public final class WhatIf implements Example {
     fork = shown;
     other.restore(past.snapshot(fork));
     future = other.record(END);
-    other.moveLine(WALL, mouse.x(), mouse.y() - HALF, mouse.x(), mouse.y() + HALF);
+    other.setShape(
+        Kind.LINE, WALL, new Line(mouse.x(), mouse.y() - HALF, mouse.x(), mouse.y() + HALF));
     other.step(END - fork);
   }
 

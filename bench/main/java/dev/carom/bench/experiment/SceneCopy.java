@@ -20,11 +20,12 @@ public final class SceneCopy {
   public static SceneBuilder obstacles(Scene scene) {
     Vec2 g = scene.gravity();
     SceneBuilder builder = bounds(scene).collide(scene.collide()).gravity(g.x(), g.y());
-    for (int i = 0; i < scene.lineCount(); i++) {
-      line(builder, scene.line(i)).restitution(scene.traits(Kind.LINE, i).restitution());
+    for (int i = 0; i < scene.count(Kind.LINE); i++) {
+      line(builder, (Line) scene.shape(Kind.LINE, i))
+          .restitution(scene.traits(Kind.LINE, i).restitution());
     }
-    for (int i = 0; i < scene.pegCount(); i++) {
-      Circle peg = scene.peg(i);
+    for (int i = 0; i < scene.count(Kind.PEG); i++) {
+      Circle peg = (Circle) scene.shape(Kind.PEG, i);
       builder.peg(peg.x(), peg.y(), peg.radius());
       builder.restitution(scene.traits(Kind.PEG, i).restitution());
     }
@@ -51,7 +52,7 @@ public final class SceneCopy {
 
   /** Adds all circles. */
   public static SceneBuilder circles(SceneBuilder builder, Scene scene) {
-    for (int i = 0; i < scene.circleCount(); i++) {
+    for (int i = 0; i < scene.count(Kind.CIRCLE); i++) {
       circle(builder, scene, i);
     }
     return builder;
@@ -59,14 +60,15 @@ public final class SceneCopy {
 
   /** Adds one of the circles. */
   public static SceneBuilder circle(SceneBuilder builder, Scene scene, int i) {
-    Circle circle = scene.circle(i);
-    return circle(builder, scene, i, new Vec2(circle.x(), circle.y()), scene.velocity(i));
+    Circle circle = (Circle) scene.shape(Kind.CIRCLE, i);
+    return circle(
+        builder, scene, i, new Vec2(circle.x(), circle.y()), scene.velocity(Kind.CIRCLE, i));
   }
 
   /** Adds one of the circles, at another place and with another velocity. */
   public static SceneBuilder circle(
       SceneBuilder builder, Scene scene, int i, Vec2 center, Vec2 velocity) {
-    double radius = scene.circle(i).radius();
+    double radius = ((Circle) scene.shape(Kind.CIRCLE, i)).radius();
     return builder
         .circle(center.x(), center.y(), radius, velocity.x(), velocity.y())
         .restitution(scene.traits(Kind.CIRCLE, i).restitution())

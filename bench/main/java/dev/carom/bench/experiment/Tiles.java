@@ -2,6 +2,7 @@
 package dev.carom.bench.experiment;
 
 import dev.carom.Circle;
+import dev.carom.Kind;
 import dev.carom.Line;
 import dev.carom.Scene;
 import dev.carom.SceneBuilder;
@@ -45,13 +46,13 @@ public record Tiles(int side, boolean lines, long seed) {
   }
 
   private void add(Scene tile, double x, double y, SceneBuilder builder) {
-    for (int i = 0; lines && i < tile.lineCount(); i++) {
-      Line l = tile.line(i);
+    for (int i = 0; lines && i < tile.count(Kind.LINE); i++) {
+      Line l = (Line) tile.shape(Kind.LINE, i);
       builder.line(l.ax() + x, l.ay() + y, l.bx() + x, l.by() + y);
     }
-    for (int i = 0; i < tile.circleCount(); i++) {
-      Circle c = tile.circle(i);
-      Vec2 v = tile.velocity(i);
+    for (int i = 0; i < tile.count(Kind.CIRCLE); i++) {
+      Circle c = (Circle) tile.shape(Kind.CIRCLE, i);
+      Vec2 v = tile.velocity(Kind.CIRCLE, i);
       builder.circle(c.x() + x, c.y() + y, c.radius(), v.x(), v.y());
     }
   }

@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 package dev.carom.bench.fuzz;
 
+import dev.carom.Circle;
 import dev.carom.Kind;
+import dev.carom.Line;
 import dev.carom.Snapshot;
 import dev.carom.Traits;
 import dev.carom.Vec2;
@@ -46,7 +48,10 @@ final class Edits {
         Vec2 place = variation.place(numbers.x(), numbers.y());
         world.setPosition(id, place.x(), place.y());
       }
-      case 4 -> world.setRadius(circle(), numbers.radius());
+      case 4 -> {
+        int id = circle();
+        world.setShape(Kind.CIRCLE, id, new Circle(world.x(id), world.y(id), numbers.radius()));
+      }
       case 5 -> {
         int id = circle();
         world.setTraits(Kind.CIRCLE, id, world.traits(Kind.CIRCLE, id).withMass(numbers.mass()));
@@ -79,7 +84,7 @@ final class Edits {
   }
 
   private void addCircle() {
-    if (world.circleCount() < MOST_CIRCLES) {
+    if (world.count(Kind.CIRCLE) < MOST_CIRCLES) {
       Vec2 place = variation.place(numbers.x(), numbers.y());
       world.addCircle(
           place.x(), place.y(), numbers.radius(), numbers.speed(), numbers.speed(), Traits.DEFAULT);
@@ -90,16 +95,16 @@ final class Edits {
     boolean line = random.nextBoolean();
     int id = some(line ? Kind.LINE : Kind.PEG);
     if (id >= 0 && line) {
-      world.moveLine(id, numbers.x(), numbers.y(), numbers.x(), numbers.y());
+      world.setShape(Kind.LINE, id, new Line(numbers.x(), numbers.y(), numbers.x(), numbers.y()));
     } else if (id >= 0) {
-      world.movePeg(id, numbers.x(), numbers.y(), numbers.pegRadius());
+      world.setShape(Kind.PEG, id, new Circle(numbers.x(), numbers.y(), numbers.pegRadius()));
     }
   }
 
   private void remove() {
     Kind kind = Kind.values()[1 + random.nextInt(3)];
     int id = some(kind);
-    if (id >= 0 && (kind != Kind.CIRCLE || world.circleCount() > 1)) {
+    if (id >= 0 && (kind != Kind.CIRCLE || world.count(Kind.CIRCLE) > 1)) {
       world.remove(kind, id);
     }
   }

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 package dev.carom.bench.gas;
 
+import dev.carom.Kind;
 import dev.carom.Scene;
 import dev.carom.World;
 import java.util.Arrays;
@@ -18,7 +19,7 @@ public final class GasOverlap {
 
   private GasOverlap(World world) {
     this.world = world;
-    order = new Integer[world.circleCount()];
+    order = new Integer[world.count(Kind.CIRCLE)];
     Arrays.setAll(order, i -> i);
     largest = Arrays.stream(order).mapToDouble(world::radius).max().orElse(0);
   }

@@ -43,7 +43,7 @@ public record GasReplay(long nanos, long collisions, long wallImpacts, double en
 
   private static double energy(Scene scene, World world) {
     double energy = 0;
-    for (int i = 0; i < world.circleCount(); i++) {
+    for (int i = 0; i < world.count(Kind.CIRCLE); i++) {
       double vx = world.vx(i);
       double vy = world.vy(i);
       energy += scene.traits(Kind.CIRCLE, i).mass() * (vx * vx + vy * vy) / 2;

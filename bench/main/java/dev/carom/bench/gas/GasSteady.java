@@ -72,7 +72,7 @@ public record GasSteady(
    */
   public static GasSteady play(Scene scene, int rounds, long collisions) {
     World world = new World(scene);
-    new Round(world).play(Math.max(WARM_UP, (long) WARM_UP_PER_CIRCLE * scene.circleCount()));
+    new Round(world).play(Math.max(WARM_UP, (long) WARM_UP_PER_CIRCLE * scene.count(Kind.CIRCLE)));
     double[] nanos = new double[rounds];
     long all = 0;
     long frames = 0;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 package dev.carom.bench.jmh;
 
+import dev.carom.Circle;
 import dev.carom.Kind;
 import dev.carom.Scene;
 import dev.carom.SceneBuilder;
@@ -76,13 +77,13 @@ public class EditBenchmark {
 
     void steerOne() {
       int k = 17 * frame++;
-      int circle = Math.floorMod(k, world.circleCount());
+      int circle = Math.floorMod(k, world.count(Kind.CIRCLE));
       world.setVelocity(circle, velocities[k & 0xffff], velocities[k + 1 & 0xffff]);
     }
 
     void steer() {
       int k = 17 * frame++;
-      for (int i = 0; i < world.circleCount(); i++) {
+      for (int i = 0; i < world.count(Kind.CIRCLE); i++) {
         world.setVelocity(i, velocities[k++ & 0xffff], velocities[k++ & 0xffff]);
       }
     }
@@ -214,7 +215,8 @@ public class EditBenchmark {
   public void paddlesJump(Paddles s) {
     s.frame++;
     for (int id = 0; id < 2; id++) {
-      s.world.movePeg(id, 200 + 400 * id + s.toAndFro(1, 0), 300 + s.toAndFro(1, 5), 10);
+      s.world.setShape(
+          Kind.PEG, id, new Circle(200 + 400 * id + s.toAndFro(1, 0), 300 + s.toAndFro(1, 5), 10));
     }
     s.world.step(1);
   }

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 package dev.carom.bench.jmh;
 
+import dev.carom.Kind;
 import dev.carom.Scene;
 import dev.carom.World;
 import dev.carom.bench.experiment.CannotPlaceException;
@@ -79,7 +80,7 @@ public class GrowthBenchmark {
   @Benchmark
   public double positions() {
     double sum = 0;
-    for (int i = 0; i < world.circleCount(); i++) {
+    for (int i = 0; i < world.count(Kind.CIRCLE); i++) {
       sum += world.x(i) + world.y(i);
     }
     return sum;

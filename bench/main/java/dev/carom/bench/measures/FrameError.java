@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 package dev.carom.bench.measures;
 
+import dev.carom.Circle;
+import dev.carom.Kind;
 import dev.carom.Scene;
 import dev.carom.bench.methods.Contender;
 import dev.carom.bench.methods.Method;
@@ -33,7 +35,7 @@ final class FrameError {
 
   private static double[] errors(
       Contender contender, Scene scene, Reference reference, int frames) {
-    int circles = scene.circleCount();
+    int circles = scene.count(Kind.CIRCLE);
     double[] errors = new double[frames * circles];
     Arrays.fill(errors, Double.NaN);
     for (int frame = 0; frame < frames; frame++) {
@@ -44,7 +46,7 @@ final class FrameError {
               Math.hypot(
                       method.x(i) - reference.x(frame + 1, i),
                       method.y(i) - reference.y(frame + 1, i))
-                  / scene.circle(i).radius();
+                  / ((Circle) scene.shape(Kind.CIRCLE, i)).radius();
         }
       } catch (IllegalStateException failed) {
         // The errors of this frame stay NaN.

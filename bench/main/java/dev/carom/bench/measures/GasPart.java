@@ -2,6 +2,7 @@
 package dev.carom.bench.measures;
 
 import dev.carom.Bounds;
+import dev.carom.Circle;
 import dev.carom.Kind;
 import dev.carom.Scene;
 import dev.carom.bench.methods.Contender;
@@ -75,8 +76,8 @@ record GasPart(String scene, Contender contender) implements Part {
     double deepest = 0;
     for (int i = 0; i < run.circles(); i++) {
       for (int j = 0; j < i; j++) {
-        double ri = scene.circle(i).radius();
-        double rj = scene.circle(j).radius();
+        double ri = ((Circle) scene.shape(Kind.CIRCLE, i)).radius();
+        double rj = ((Circle) scene.shape(Kind.CIRCLE, j)).radius();
         double dx = run.x(frame, i) - run.x(frame, j);
         double dy = run.y(frame, i) - run.y(frame, j);
         deepest = worse(deepest, (ri + rj - Math.hypot(dx, dy)) / Math.min(ri, rj));

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 package dev.carom.bench.measures;
 
+import dev.carom.Circle;
+import dev.carom.Kind;
 import dev.carom.Line;
 import dev.carom.Scene;
 import dev.carom.Vec2;
@@ -135,10 +137,10 @@ final class Queries {
       Scene scene, RecordedRun run, int frame, int i, List<SegmentQuery> queries) {
     double x = run.x(frame, i);
     double y = run.y(frame, i);
-    double r = scene.circle(i).radius();
+    double r = ((Circle) scene.shape(Kind.CIRCLE, i)).radius();
     double reach = r + run.speed(frame, i);
-    for (int k = 0; k < scene.lineCount(); k++) {
-      Line line = scene.line(k);
+    for (int k = 0; k < scene.count(Kind.LINE); k++) {
+      Line line = (Line) scene.shape(Kind.LINE, k);
       Vec2 closest = line.closestPoint(new Vec2(x, y));
       if (Math.hypot(closest.x() - x, closest.y() - y) <= reach) {
         double vx = run.vx(frame, i);

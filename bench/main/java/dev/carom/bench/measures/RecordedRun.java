@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 package dev.carom.bench.measures;
 
+import dev.carom.Kind;
 import dev.carom.Scene;
 import dev.carom.bench.methods.Contender;
 import dev.carom.bench.methods.Method;
@@ -41,7 +42,7 @@ final class RecordedRun {
    * @throws UnsupportedOperationException if the contender cannot run here
    */
   static RecordedRun play(Contender contender, Scene scene, int frames) {
-    RecordedRun run = new RecordedRun(frames, scene.circleCount());
+    RecordedRun run = new RecordedRun(frames, scene.count(Kind.CIRCLE));
     try (Method method = contender.start(scene)) {
       run.record(method, 0);
       for (int frame = 1; frame <= frames && run.failure == null; frame++) {

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 package dev.carom.bench.measures;
 
+import dev.carom.Circle;
+import dev.carom.Kind;
 import dev.carom.Scene;
 import dev.carom.bench.methods.Contender;
 import dev.carom.bench.results.Row;
@@ -27,10 +29,10 @@ final class ReversalError {
   }
 
   private static int frames(Scene scene) {
-    double[] radii = new double[scene.circleCount()];
-    double[] speeds = new double[scene.circleCount()];
-    Arrays.setAll(radii, i -> scene.circle(i).radius());
-    Arrays.setAll(speeds, i -> scene.velocity(i).length());
+    double[] radii = new double[scene.count(Kind.CIRCLE)];
+    double[] speeds = new double[scene.count(Kind.CIRCLE)];
+    Arrays.setAll(radii, i -> ((Circle) scene.shape(Kind.CIRCLE, i)).radius());
+    Arrays.setAll(speeds, i -> scene.velocity(Kind.CIRCLE, i).length());
     double frames = TRAVEL * new Quantiles(radii).median() / new Quantiles(speeds).median();
     return (int) Math.min(Math.ceil(frames), Subjects.FRAMES);
   }
@@ -43,7 +45,7 @@ final class ReversalError {
   }
 
   private double[] errors() {
-    double[] errors = new double[scene.circleCount()];
+    double[] errors = new double[scene.count(Kind.CIRCLE)];
     Arrays.fill(errors, Double.NaN);
     RecordedRun there = RecordedRun.play(contender, scene, frames);
     if (there.failure().isPresent()) {
@@ -54,7 +56,7 @@ final class ReversalError {
         errors,
         i ->
             Math.hypot(back.x(frames, i) - there.x(0, i), back.y(frames, i) - there.y(0, i))
-                / scene.circle(i).radius());
+                / ((Circle) scene.shape(Kind.CIRCLE, i)).radius());
     return errors;
   }
 }

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 package dev.carom.bench.measures;
 
+import dev.carom.Kind;
 import dev.carom.Scene;
 import dev.carom.Vec2;
 import dev.carom.bench.methods.Contender;
@@ -63,7 +64,7 @@ public record RoundingPart(String scene) implements Part {
   public List<Row> run() {
     Subject subject = Subjects.load(scene);
     Reference reference = subject.reference().orElseThrow();
-    int circles = subject.scene().circleCount();
+    int circles = subject.scene().count(Kind.CIRCLE);
     List<Roundings> all = new ArrayList<>();
     CONTENDERS.forEach(none -> all.add(new Roundings(subject.frames(), circles)));
     for (int frame = 0; frame < subject.frames(); frame++) {
@@ -95,7 +96,7 @@ public record RoundingPart(String scene) implements Part {
   }
 
   private static double[] errors(Contender contender, Scene start, Reference reference, int end) {
-    double[] px = new double[start.circleCount()];
+    double[] px = new double[start.count(Kind.CIRCLE)];
     try (Method method = contender.start(start)) {
       method.frame();
       Arrays.setAll(

@@ -2,6 +2,8 @@
 package dev.carom.bench.measures;
 
 import dev.carom.Bounds;
+import dev.carom.Circle;
+import dev.carom.Kind;
 import dev.carom.Line;
 import dev.carom.Scene;
 import dev.carom.Vec2;
@@ -44,11 +46,11 @@ public final class SolidScene {
     }
     double room = isInside(x, y) ? roomToWalls(x, y) : Double.POSITIVE_INFINITY;
     Vec2 centre = new Vec2(x, y);
-    for (int k = 0; k < scene.lineCount(); k++) {
-      Vec2 closest = scene.line(k).closestPoint(centre);
+    for (int k = 0; k < scene.count(Kind.LINE); k++) {
+      Vec2 closest = ((Line) scene.shape(Kind.LINE, k)).closestPoint(centre);
       room = Math.min(room, Math.hypot(x - closest.x(), y - closest.y()));
     }
-    return Math.max(0, 1 - room / scene.circle(i).radius());
+    return Math.max(0, 1 - room / ((Circle) scene.shape(Kind.CIRCLE, i)).radius());
   }
 
   private double roomToWalls(double x, double y) {
@@ -82,8 +84,8 @@ public final class SolidScene {
    */
   public boolean passes(double x0, double y0, double x1, double y1, double speed) {
     double travel = MARGIN * speed;
-    for (int k = 0; k < scene.lineCount(); k++) {
-      Line line = scene.line(k);
+    for (int k = 0; k < scene.count(Kind.LINE); k++) {
+      Line line = (Line) scene.shape(Kind.LINE, k);
       if (isBetween(line, x0, y0, x1, y1)
           && Math.hypot(x0 - line.ax(), y0 - line.ay()) + Math.hypot(x1 - line.ax(), y1 - line.ay())
               > travel

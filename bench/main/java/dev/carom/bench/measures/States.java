@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 package dev.carom.bench.measures;
 
+import dev.carom.Circle;
+import dev.carom.Kind;
 import dev.carom.Scene;
 import dev.carom.SceneBuilder;
 import dev.carom.Vec2;
@@ -33,13 +35,16 @@ final class States {
   static Scene oneUlpAway(Scene scene) {
     return with(
         scene,
-        i -> new Vec2(Math.nextUp(scene.circle(i).x()), Math.nextUp(scene.circle(i).y())),
-        scene::velocity);
+        i ->
+            new Vec2(
+                Math.nextUp(((Circle) scene.shape(Kind.CIRCLE, i)).x()),
+                Math.nextUp(((Circle) scene.shape(Kind.CIRCLE, i)).y())),
+        i -> scene.velocity(Kind.CIRCLE, i));
   }
 
   private static Scene with(Scene scene, IntFunction<Vec2> centers, IntFunction<Vec2> velocities) {
     SceneBuilder builder = SceneCopy.obstacles(scene);
-    for (int i = 0; i < scene.circleCount(); i++) {
+    for (int i = 0; i < scene.count(Kind.CIRCLE); i++) {
       SceneCopy.circle(builder, scene, i, centers.apply(i), velocities.apply(i));
     }
     return builder.build();

@@ -3,6 +3,7 @@ package dev.carom.bench.measures;
 
 import dev.carom.Bounds;
 import dev.carom.Circle;
+import dev.carom.Kind;
 import dev.carom.Scene;
 import dev.carom.SceneBuilder;
 import dev.carom.Vec2;
@@ -79,9 +80,9 @@ final class Subjects {
                   GAS_RADIUS * b.xmax(),
                   GAS_RADIUS * b.ymax())
               .collide(true);
-      for (int i = 0; i < small.circleCount(); i++) {
-        Circle c = small.circle(i);
-        Vec2 v = small.velocity(i);
+      for (int i = 0; i < small.count(Kind.CIRCLE); i++) {
+        Circle c = (Circle) small.shape(Kind.CIRCLE, i);
+        Vec2 v = small.velocity(Kind.CIRCLE, i);
         builder.circle(
             GAS_RADIUS * c.x(),
             GAS_RADIUS * c.y(),

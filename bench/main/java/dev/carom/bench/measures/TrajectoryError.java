@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 package dev.carom.bench.measures;
 
+import dev.carom.Circle;
+import dev.carom.Kind;
 import dev.carom.Scene;
 import dev.carom.bench.reference.Reference;
 import dev.carom.bench.results.Row;
@@ -60,7 +62,7 @@ final class TrajectoryError {
             Math.hypot(
                     run.x(frame, i) - reference.x(frame, i),
                     run.y(frame, i) - reference.y(frame, i))
-                / scene.circle(i).radius());
+                / ((Circle) scene.shape(Kind.CIRCLE, i)).radius());
     return errors;
   }
 }

@@ -23,7 +23,7 @@ abstract class Circles implements Method {
   int wallImpacts;
 
   Circles(Scene scene) {
-    circles = scene.circleCount();
+    circles = scene.count(Kind.CIRCLE);
     x = new double[circles];
     y = new double[circles];
     vx = new double[circles];
@@ -31,8 +31,8 @@ abstract class Circles implements Method {
     radius = new double[circles];
     restitution = new double[circles];
     for (int i = 0; i < circles; i++) {
-      Circle circle = scene.circle(i);
-      Vec2 velocity = scene.velocity(i);
+      Circle circle = (Circle) scene.shape(Kind.CIRCLE, i);
+      Vec2 velocity = scene.velocity(Kind.CIRCLE, i);
       x[i] = real(circle.x());
       y[i] = real(circle.y());
       vx[i] = real(velocity.x());

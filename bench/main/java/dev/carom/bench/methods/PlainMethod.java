@@ -25,7 +25,7 @@ abstract class PlainMethod extends Circles {
 
   PlainMethod(Scene scene) {
     super(PlainScene.checkStraight(PlainScene.checkObstacles(scene)));
-    lines = scene.lineCount();
+    lines = scene.count(Kind.LINE);
     ax = new double[lines];
     ay = new double[lines];
     bx = new double[lines];
@@ -33,7 +33,7 @@ abstract class PlainMethod extends Circles {
     lineRestitution = new double[lines];
     for (int k = 0; k < lines; k++) {
       lineRestitution[k] = real(scene.traits(Kind.LINE, k).restitution());
-      setLine(k, scene.line(k));
+      setLine(k, (Line) scene.shape(Kind.LINE, k));
     }
     Bounds bounds = scene.bounds().orElse(null);
     wallRestitution = bounds == null ? 1 : real(scene.traits(Kind.WALL, 0).restitution());

@@ -51,7 +51,7 @@ public final class PlainScene {
    * @throws UnsupportedOperationException if it has pegs, or a line moves
    */
   public static Scene checkObstacles(Scene scene) {
-    refuse(scene.pegCount() > 0, "it has pegs", "lines and bounds");
+    refuse(scene.count(Kind.PEG) > 0, "it has pegs", "lines and bounds");
     return checkRest(scene);
   }
 
@@ -67,7 +67,7 @@ public final class PlainScene {
 
   /** Whether no line or peg moves. */
   public static boolean isAtRest(Scene scene) {
-    return rest(scene, LINE, scene.lineCount()) && rest(scene, PEG, scene.pegCount());
+    return rest(scene, LINE, scene.count(Kind.LINE)) && rest(scene, PEG, scene.count(Kind.PEG));
   }
 
   /** The unit vector from the start to the end of a line; (1, 0) if they are one point. */

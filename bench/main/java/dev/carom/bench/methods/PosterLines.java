@@ -33,13 +33,13 @@ final class PosterLines {
   private final double[] thickness;
 
   PosterLines(Scene scene) {
-    this(scene.lineCount() + scene.pegCount());
-    int straight = scene.lineCount();
+    this(scene.count(Kind.LINE) + scene.count(Kind.PEG));
+    int straight = scene.count(Kind.LINE);
     for (int k = 0; k < straight; k++) {
-      setLine(k, scene.line(k), real(scene.traits(Kind.LINE, k).restitution()));
+      setLine(k, (Line) scene.shape(Kind.LINE, k), real(scene.traits(Kind.LINE, k).restitution()));
     }
     for (int k = straight; k < count; k++) {
-      Circle peg = scene.peg(k - straight);
+      Circle peg = (Circle) scene.shape(Kind.PEG, k - straight);
       setLine(
           k,
           new Line(peg.x(), peg.y(), peg.x(), peg.y()),

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 package dev.carom.bench.peers;
 
+import dev.carom.Circle;
 import dev.carom.Kind;
 import dev.carom.Line;
 import dev.carom.Scene;
@@ -43,7 +44,7 @@ final class Dyn4jPeer extends Peer {
       settings.setMaximumTranslation(NO_CAP);
     }
     edges(scene).forEach(this::addLine);
-    circles = new Body[scene.circleCount()];
+    circles = new Body[scene.count(Kind.CIRCLE)];
     for (int i = 0; i < circles.length; i++) {
       circles[i] = addCircle(scene, i);
     }
@@ -60,15 +61,17 @@ final class Dyn4jPeer extends Peer {
 
   private Body addCircle(Scene scene, int i) {
     CategoryFilter filter = scene.collide() ? COLLIDING : CIRCLES;
-    Convex disk = Geometry.createCircle(metres(scene.circle(i).radius()));
+    Convex disk = Geometry.createCircle(metres(((Circle) scene.shape(Kind.CIRCLE, i)).radius()));
     Body body = body(disk, filter, circleRestitution(scene));
     body.setMass(MassType.NORMAL);
     if (scene.collide()) {
       setMass(body, scene.traits(Kind.CIRCLE, i).mass());
     }
     body.setBullet(best);
-    body.translate(metres(scene.circle(i).x()), metres(scene.circle(i).y()));
-    Vec2 v = scene.velocity(i);
+    body.translate(
+        metres(((Circle) scene.shape(Kind.CIRCLE, i)).x()),
+        metres(((Circle) scene.shape(Kind.CIRCLE, i)).y()));
+    Vec2 v = scene.velocity(Kind.CIRCLE, i);
     body.setLinearVelocity(metresPerSecond(v.x()), metresPerSecond(v.y()));
     body.setGravityScale(falls(scene, i) ? 1 : 0);
     world.addBody(body);

@@ -13,6 +13,7 @@ import com.badlogic.gdx.physics.box2d.Shape;
 import com.badlogic.gdx.physics.box2d.World;
 import com.badlogic.gdx.utils.GdxNativesLoader;
 import com.badlogic.gdx.utils.GdxRuntimeException;
+import dev.carom.Circle;
 import dev.carom.Kind;
 import dev.carom.Line;
 import dev.carom.Scene;
@@ -51,7 +52,7 @@ final class GdxPeer extends Peer {
                 (float) metresPerSecondSquared(g.x()), (float) metresPerSecondSquared(g.y())),
             !best);
     edges(scene).forEach(this::addLine);
-    circles = new Body[scene.circleCount()];
+    circles = new Body[scene.count(Kind.CIRCLE)];
     for (int i = 0; i < circles.length; i++) {
       circles[i] = addCircle(scene, i);
     }
@@ -88,12 +89,13 @@ final class GdxPeer extends Peer {
     definition.type = BodyDef.BodyType.DynamicBody;
     definition.bullet = best;
     definition.position.set(
-        (float) metres(scene.circle(i).x()), (float) metres(scene.circle(i).y()));
-    Vec2 v = scene.velocity(i);
+        (float) metres(((Circle) scene.shape(Kind.CIRCLE, i)).x()),
+        (float) metres(((Circle) scene.shape(Kind.CIRCLE, i)).y()));
+    Vec2 v = scene.velocity(Kind.CIRCLE, i);
     definition.linearVelocity.set((float) metresPerSecond(v.x()), (float) metresPerSecond(v.y()));
     definition.gravityScale = falls(scene, i) ? 1 : 0;
     CircleShape shape = new CircleShape();
-    shape.setRadius((float) metres(scene.circle(i).radius()));
+    shape.setRadius((float) metres(((Circle) scene.shape(Kind.CIRCLE, i)).radius()));
     Body body = world.createBody(definition);
     short others = scene.collide() ? ALL : LINES;
     addFixture(body, shape, CIRCLES, others, circleRestitution(scene));

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 package dev.carom.bench.peers;
 
+import dev.carom.Circle;
 import dev.carom.Kind;
 import dev.carom.Line;
 import dev.carom.Scene;
@@ -48,7 +49,7 @@ final class Jbox2dPeer extends Peer {
                 (float) metresPerSecondSquared(g.x()), (float) metresPerSecondSquared(g.y())));
     world.setAllowSleep(!best);
     edges(scene).forEach(this::addLine);
-    circles = new Body[scene.circleCount()];
+    circles = new Body[scene.count(Kind.CIRCLE)];
     for (int i = 0; i < circles.length; i++) {
       circles[i] = addCircle(scene, i);
     }
@@ -74,13 +75,15 @@ final class Jbox2dPeer extends Peer {
     BodyDef definition = new BodyDef();
     definition.type = BodyType.DYNAMIC;
     definition.bullet = best;
-    definition.position = point(scene.circle(i).x(), scene.circle(i).y());
-    Vec2 v = scene.velocity(i);
+    definition.position =
+        point(
+            ((Circle) scene.shape(Kind.CIRCLE, i)).x(), ((Circle) scene.shape(Kind.CIRCLE, i)).y());
+    Vec2 v = scene.velocity(Kind.CIRCLE, i);
     definition.linearVelocity =
         new org.jbox2d.common.Vec2((float) metresPerSecond(v.x()), (float) metresPerSecond(v.y()));
     definition.gravityScale = falls(scene, i) ? 1 : 0;
     CircleShape shape = new CircleShape();
-    shape.setRadius((float) metres(scene.circle(i).radius()));
+    shape.setRadius((float) metres(((Circle) scene.shape(Kind.CIRCLE, i)).radius()));
     Body body = world.createBody(definition);
     int others = scene.collide() ? LINES | CIRCLES : LINES;
     body.createFixture(fixture(shape, CIRCLES, others, circleRestitution(scene)));

@@ -55,10 +55,10 @@ abstract class Peer implements Method {
 
   private static void checkRestitution(Scene scene) {
     double least = scene.bounds().isPresent() ? scene.traits(Kind.WALL, 0).restitution() : 1;
-    for (int k = 0; k < scene.lineCount(); k++) {
+    for (int k = 0; k < scene.count(Kind.LINE); k++) {
       least = Math.min(least, scene.traits(Kind.LINE, k).restitution());
     }
-    for (int i = 0; i < scene.circleCount(); i++) {
+    for (int i = 0; i < scene.count(Kind.CIRCLE); i++) {
       double e = scene.traits(Kind.CIRCLE, i).restitution();
       if (e != scene.traits(Kind.CIRCLE, 0).restitution() || (scene.collide() && e > least)) {
         throw new UnsupportedOperationException(
@@ -77,8 +77,8 @@ abstract class Peer implements Method {
 
   private static double fastest(Scene scene) {
     double fastest = 0;
-    for (int i = 0; i < scene.circleCount(); i++) {
-      fastest = Math.max(fastest, scene.velocity(i).length());
+    for (int i = 0; i < scene.count(Kind.CIRCLE); i++) {
+      fastest = Math.max(fastest, scene.velocity(Kind.CIRCLE, i).length());
     }
     return Math.hypot(fastest, Math.sqrt(2 * deepestFall(scene)));
   }
@@ -108,9 +108,12 @@ abstract class Peer implements Method {
   /** The lines, and the four walls as lines. */
   static List<Edge> edges(Scene scene) {
     List<Edge> edges = new ArrayList<>();
-    double circles = scene.circleCount() == 0 ? 1 : scene.traits(Kind.CIRCLE, 0).restitution();
-    for (int k = 0; k < scene.lineCount(); k++) {
-      edges.add(new Edge(scene.line(k), circles * scene.traits(Kind.LINE, k).restitution()));
+    double circles = scene.count(Kind.CIRCLE) == 0 ? 1 : scene.traits(Kind.CIRCLE, 0).restitution();
+    for (int k = 0; k < scene.count(Kind.LINE); k++) {
+      edges.add(
+          new Edge(
+              (Line) scene.shape(Kind.LINE, k),
+              circles * scene.traits(Kind.LINE, k).restitution()));
     }
     if (scene.bounds().isPresent()) {
       Bounds b = scene.bounds().get();

@@ -41,8 +41,8 @@ final class Body {
   Body(Scene scene, int id, int bits, int frames, int values, int first) {
     this.id = id;
     this.bits = bits;
-    Circle circle = scene.circle(id);
-    Vec2 velocity = scene.velocity(id);
+    Circle circle = (Circle) scene.shape(Kind.CIRCLE, id);
+    Vec2 velocity = scene.velocity(Kind.CIRCLE, id);
     mass = scene.traits(Kind.CIRCLE, id).mass();
     radius = Ball.of(circle.radius(), bits);
     restitution = Ball.of(scene.traits(Kind.CIRCLE, id).restitution(), bits);

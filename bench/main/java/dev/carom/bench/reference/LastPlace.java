@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 package dev.carom.bench.reference;
 
+import dev.carom.Kind;
 import dev.carom.Scene;
 import java.math.BigDecimal;
 import java.util.ArrayList;
@@ -36,7 +37,7 @@ public record LastPlace(int circle, BigDecimal x, BigDecimal y) {
    */
   public static List<LastPlace> of(Scene scene, int frames, int decimals, Runnable progress) {
     Scope.check(scene, frames);
-    int[] all = IntStream.range(0, scene.circleCount()).toArray();
+    int[] all = IntStream.range(0, scene.count(Kind.CIRCLE)).toArray();
     if (scene.collide()) {
       return prove(scene, all, frames, decimals);
     }

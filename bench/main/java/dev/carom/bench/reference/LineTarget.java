@@ -20,7 +20,7 @@ final class LineTarget extends Target {
 
   LineTarget(Scene scene, int index, int bits) {
     super(scene, Kind.LINE, index, bits);
-    line = scene.line(index);
+    line = (Line) scene.shape(Kind.LINE, index);
     start = Vec.of(line.ax(), line.ay(), bits);
     end = Vec.of(line.bx(), line.by(), bits);
     w = end.minus(start);

@@ -21,10 +21,10 @@ final class Lookout {
     for (int i = 0; i < 4 && scene.bounds().isPresent(); i++) {
       targets.add(new WallTarget(scene, i, bits));
     }
-    for (int i = 0; i < scene.lineCount(); i++) {
+    for (int i = 0; i < scene.count(Kind.LINE); i++) {
       targets.add(new LineTarget(scene, i, bits));
     }
-    for (int i = 0; i < scene.pegCount(); i++) {
+    for (int i = 0; i < scene.count(Kind.PEG); i++) {
       targets.add(new PegTarget(scene, i, bits));
     }
   }

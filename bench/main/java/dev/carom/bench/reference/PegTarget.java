@@ -15,7 +15,7 @@ final class PegTarget extends Target {
 
   PegTarget(Scene scene, int index, int bits) {
     super(scene, Kind.PEG, index, bits);
-    peg = scene.peg(index);
+    peg = (Circle) scene.shape(Kind.PEG, index);
     center = Vec.of(peg.x(), peg.y(), bits);
     radius = Ball.of(peg.radius(), bits);
   }

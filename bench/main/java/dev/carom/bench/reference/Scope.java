@@ -25,7 +25,7 @@ final class Scope {
     if (scene.bounds().isPresent()) {
       bounces("bounds", scene, Kind.WALL, 0);
     }
-    for (int i = 0; i < scene.lineCount(); i++) {
+    for (int i = 0; i < scene.count(Kind.LINE); i++) {
       bounces("line", scene, Kind.LINE, i);
       rests("line", i, scene.velocity(Kind.LINE, i));
       if (scene.traits(Kind.LINE, i).oneWay()) {
@@ -33,11 +33,11 @@ final class Scope {
             "line " + i + " is one-way: a reference expects lines that are there from both sides");
       }
     }
-    for (int i = 0; i < scene.pegCount(); i++) {
+    for (int i = 0; i < scene.count(Kind.PEG); i++) {
       bounces("peg", scene, Kind.PEG, i);
       rests("peg", i, scene.velocity(Kind.PEG, i));
     }
-    for (int i = 0; i < scene.circleCount(); i++) {
+    for (int i = 0; i < scene.count(Kind.CIRCLE); i++) {
       bounces("circle", scene, Kind.CIRCLE, i);
     }
   }
@@ -47,7 +47,7 @@ final class Scope {
       throw new IllegalArgumentException(
           "circles collide: with gravity, a reference expects ones that ignore each other");
     }
-    for (int i = 0; i < scene.circleCount(); i++) {
+    for (int i = 0; i < scene.count(Kind.CIRCLE); i++) {
       if (scene.traits(Kind.CIRCLE, i).mass() == Double.POSITIVE_INFINITY) {
         throw new IllegalArgumentException(
             "circle %d has infinite mass: with gravity, a reference expects circles that fall"

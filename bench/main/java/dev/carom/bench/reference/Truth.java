@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 package dev.carom.bench.reference;
 
+import dev.carom.Kind;
 import dev.carom.Scene;
 import dev.carom.Vec2;
 import java.util.Arrays;
@@ -41,7 +42,7 @@ public final class Truth implements Reference {
    */
   public static Truth of(Scene scene, int frames, Runnable progress) {
     Scope.check(scene, frames);
-    int count = scene.circleCount();
+    int count = scene.count(Kind.CIRCLE);
     int[] all = IntStream.range(0, count).toArray();
     int[][] groups =
         scene.collide()

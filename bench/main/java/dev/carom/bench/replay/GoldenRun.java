@@ -3,6 +3,8 @@ package dev.carom.bench.replay;
 
 import dev.carom.Bounds;
 import dev.carom.Circle;
+import dev.carom.Kind;
+import dev.carom.Line;
 import dev.carom.Response;
 import dev.carom.Scene;
 import dev.carom.SceneBuilder;
@@ -79,8 +81,12 @@ public enum GoldenRun {
     SceneBuilder builder = Scene.builder().collide(true);
     Bounds b = from.bounds().orElseThrow();
     builder.bounds(b.xmin(), b.ymin(), b.xmax(), b.ymax());
-    for (int i = 0; i < from.lineCount(); i++) {
-      builder.line(from.line(i).ax(), from.line(i).ay(), from.line(i).bx(), from.line(i).by());
+    for (int i = 0; i < from.count(Kind.LINE); i++) {
+      builder.line(
+          ((Line) from.shape(Kind.LINE, i)).ax(),
+          ((Line) from.shape(Kind.LINE, i)).ay(),
+          ((Line) from.shape(Kind.LINE, i)).bx(),
+          ((Line) from.shape(Kind.LINE, i)).by());
       builder.restitution(i % 4 == 0 ? 0.95 : i % 4 == 2 ? 1.05 : 1);
       if (i % 10 == 1) {
         builder.oneWay();
@@ -90,9 +96,9 @@ public enum GoldenRun {
       builder.peg(20 + 190 * i, 15, 2 * i).restitution(1.05);
       builder.peg(40 + 180 * i, 585, 8).response(i == 2 ? Response.SENSOR : Response.BOUNCE);
     }
-    for (int i = 0; i < from.circleCount(); i++) {
-      Circle c = from.circle(i);
-      Vec2 v = from.velocity(i);
+    for (int i = 0; i < from.count(Kind.CIRCLE); i++) {
+      Circle c = (Circle) from.shape(Kind.CIRCLE, i);
+      Vec2 v = from.velocity(Kind.CIRCLE, i);
       builder.circle(c.x(), c.y(), i % 3 == 0 ? 2 : c.radius(), v.x(), v.y());
       builder.mass(i % 50 == 7 ? 1_000 : 1 + i % 5);
       builder.restitution(i % 6 == 0 ? 0.99 : 1);

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 package dev.carom.bench.replay;
 
+import dev.carom.Kind;
 import dev.carom.Scene;
 import dev.carom.bench.methods.Methods;
 import java.util.Locale;
@@ -43,9 +44,9 @@ public final class ReplayTable {
     line("scene    %s", plan.name());
     line(
         "         %s, %s, %s",
-        Counted.of(scene.circleCount(), "circle"),
-        Counted.of(scene.lineCount(), "line"),
-        Counted.of(scene.pegCount(), "peg"));
+        Counted.of(scene.count(Kind.CIRCLE), "circle"),
+        Counted.of(scene.count(Kind.LINE), "line"),
+        Counted.of(scene.count(Kind.PEG), "peg"));
     line(
         "run      %s, %s in each of %s per method",
         Counted.of(plan.frames(), "frame"),

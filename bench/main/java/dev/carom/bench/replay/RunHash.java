@@ -2,6 +2,7 @@
 package dev.carom.bench.replay;
 
 import dev.carom.ImpactLog;
+import dev.carom.Kind;
 import dev.carom.Outcome;
 import dev.carom.Scene;
 import dev.carom.World;
@@ -97,7 +98,7 @@ public final class RunHash {
   }
 
   private void addStates(World world) {
-    for (int i = 0; i < world.circleCount(); i++) {
+    for (int i = 0; i < world.count(Kind.CIRCLE); i++) {
       makeRoom();
       bytes
           .putDouble(world.x(i))

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 package dev.carom.bench.report;
 
+import dev.carom.Circle;
+import dev.carom.Kind;
 import dev.carom.Scene;
 import dev.carom.bench.measures.Parts;
 import java.util.ArrayList;
@@ -48,23 +50,25 @@ final class Scenes {
       return "";
     }
     Scene scene = Parts.scene(name);
-    String circles = " of " + scene.circleCount() + " circles";
-    return scene.lineCount() == 0 ? circles : circles + " among " + scene.lineCount() + " lines";
+    String circles = " of " + scene.count(Kind.CIRCLE) + " circles";
+    return scene.count(Kind.LINE) == 0
+        ? circles
+        : circles + " among " + scene.count(Kind.LINE) + " lines";
   }
 
   /** The cells of a table: circles, lines, size, radius, speed. */
   static List<String> facts(String name) {
     Scene scene = Parts.scene(name);
-    int n = scene.circleCount();
+    int n = scene.count(Kind.CIRCLE);
     return List.of(
         Integer.toString(n),
-        Integer.toString(scene.lineCount()),
+        Integer.toString(scene.count(Kind.LINE)),
         scene
             .bounds()
             .map(b -> number(b.xmax() - b.xmin()) + " x " + number(b.ymax() - b.ymin()))
             .orElse("none"),
-        range(n, i -> scene.circle(i).radius()),
-        range(n, i -> scene.velocity(i).length()));
+        range(n, i -> ((Circle) scene.shape(Kind.CIRCLE, i)).radius()),
+        range(n, i -> scene.velocity(Kind.CIRCLE, i).length()));
   }
 
   private static String range(int n, IntToDoubleFunction value) {

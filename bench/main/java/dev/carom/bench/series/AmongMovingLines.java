@@ -2,6 +2,7 @@
 package dev.carom.bench.series;
 
 import dev.carom.Bounds;
+import dev.carom.Kind;
 import dev.carom.Scene;
 import dev.carom.SceneBuilder;
 import dev.carom.Vec2;
@@ -54,7 +55,7 @@ final class AmongMovingLines {
     while (added < MOVING) {
       added += add(random) ? 1 : 0;
     }
-    for (int i = 0; i < tiles.circleCount(); i += EACH) {
+    for (int i = 0; i < tiles.count(Kind.CIRCLE); i += EACH) {
       SceneCopy.circle(builder, tiles, i);
     }
     return builder.build();

@@ -2,6 +2,7 @@
 package dev.carom.bench.series;
 
 import dev.carom.Filter;
+import dev.carom.Kind;
 import dev.carom.Line;
 import dev.carom.Response;
 import dev.carom.Scene;
@@ -88,7 +89,7 @@ public final class Features {
 
     /** How many worlds tell the memory of one. */
     int worlds() {
-      return scene.lineCount() > MANY_LINES ? LARGE_WORLDS : WORLDS;
+      return scene.count(Kind.LINE) > MANY_LINES ? LARGE_WORLDS : WORLDS;
     }
 
     /** Returns what holds the world at the end, and all that is kept of it. */
@@ -124,7 +125,7 @@ public final class Features {
     uses.add(new Use("walls", part(canonical, 0, Response.BOUNCE)));
     uses.add(new Use("few-lines", part(canonical, FEW_LINES, Response.BOUNCE)));
     uses.add(new Use("lines", canonical));
-    int all = canonical.lineCount();
+    int all = canonical.count(Kind.LINE);
     uses.add(new Use("sensors", part(canonical, all, Response.SENSOR)));
     uses.add(new Use("masks", masked(canonical)));
     uses.add(new Use("recording", canonical, Keep.PAST, (world, frame) -> {}));
@@ -159,7 +160,7 @@ public final class Features {
   private static Scene part(Scene whole, int lines, Response response) {
     SceneBuilder builder = SceneCopy.bounds(whole);
     for (int k = 0; k < lines; k++) {
-      SceneCopy.line(builder, whole.line(k)).response(response);
+      SceneCopy.line(builder, (Line) whole.shape(Kind.LINE, k)).response(response);
     }
     return SceneCopy.circles(builder, whole).build();
   }
@@ -167,10 +168,11 @@ public final class Features {
   /** Two layers: each line, and each circle, is in one of them. */
   private static Scene masked(Scene whole) {
     SceneBuilder builder = SceneCopy.bounds(whole);
-    for (int k = 0; k < whole.lineCount(); k++) {
-      SceneCopy.line(builder, whole.line(k)).filter(new Filter(layer(k), layer(k) | 1));
+    for (int k = 0; k < whole.count(Kind.LINE); k++) {
+      SceneCopy.line(builder, (Line) whole.shape(Kind.LINE, k))
+          .filter(new Filter(layer(k), layer(k) | 1));
     }
-    for (int i = 0; i < whole.circleCount(); i++) {
+    for (int i = 0; i < whole.count(Kind.CIRCLE); i++) {
       SceneCopy.circle(builder, whole, i).filter(new Filter(layer(i), layer(i) | 1));
     }
     return builder.build();
@@ -182,7 +184,7 @@ public final class Features {
 
   /** One circle a frame gets the opposite velocity. */
   private static void steer(World world, int frame) {
-    int circle = frame % world.circleCount();
+    int circle = frame % world.count(Kind.CIRCLE);
     world.setVelocity(circle, -world.vx(circle), -world.vy(circle));
   }
 
@@ -190,7 +192,7 @@ public final class Features {
   private static void move(World world, int frame) {
     Line line = world.line(0);
     int way = frame % 2 == 0 ? 1 : -1;
-    world.moveLine(0, line.ax() + way, line.ay(), line.bx() + way, line.by());
+    world.setShape(Kind.LINE, 0, new Line(line.ax() + way, line.ay(), line.bx() + way, line.by()));
   }
 
   /**

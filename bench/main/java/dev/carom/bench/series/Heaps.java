@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 package dev.carom.bench.series;
 
+import dev.carom.Kind;
 import dev.carom.Scene;
 import dev.carom.SceneBuilder;
 import dev.carom.World;
@@ -58,10 +59,10 @@ public final class Heaps {
         nanos[frame] = System.nanoTime() - start;
       }
       int resting = 0;
-      for (int i = 0; i < world.circleCount(); i++) {
+      for (int i = 0; i < world.count(Kind.CIRCLE); i++) {
         resting += world.isResting(i) ? 1 : 0;
       }
-      return new Play(impacts, (double) resting / world.circleCount());
+      return new Play(impacts, (double) resting / world.count(Kind.CIRCLE));
     }
   }
 

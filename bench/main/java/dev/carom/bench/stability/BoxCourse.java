@@ -2,6 +2,7 @@
 package dev.carom.bench.stability;
 
 import dev.carom.Circle;
+import dev.carom.Kind;
 import dev.carom.Scene;
 import dev.carom.Vec2;
 import dev.carom.bench.reference.Reference;
@@ -21,8 +22,8 @@ final class BoxCourse implements Reference {
   private final int frames;
 
   BoxCourse(Scene scene, double width, double height, int frames) {
-    circle = scene.circle(0);
-    velocity = scene.velocity(0);
+    circle = (Circle) scene.shape(Kind.CIRCLE, 0);
+    velocity = scene.velocity(Kind.CIRCLE, 0);
     this.width = width;
     this.height = height;
     this.frames = frames;

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 package dev.carom.bench.stability;
 
+import dev.carom.Circle;
+import dev.carom.Kind;
 import dev.carom.Scene;
 import dev.carom.bench.reference.Reference;
 
@@ -22,8 +24,9 @@ record Cell(Scene scene, Reference truth, Fence fence, boolean pilesUp) {
     if (pilesUp || truth == null) {
       return CellLimit.PILE_UP;
     }
-    for (int i = 0; i < scene.circleCount(); i++) {
-      double most = Math.log10(CellJudge.RIGHT * scene.circle(i).radius() / ROUNDINGS);
+    for (int i = 0; i < scene.count(Kind.CIRCLE); i++) {
+      double most =
+          Math.log10(CellJudge.RIGHT * ((Circle) scene.shape(Kind.CIRCLE, i)).radius() / ROUNDINGS);
       for (int frame = 1; frame <= truth.frames(); frame++) {
         if (truth.log10Conditioning(frame, i) > most) {
           return CellLimit.DOUBLES;

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 package dev.carom.bench.stability;
 
+import dev.carom.Circle;
+import dev.carom.Kind;
 import dev.carom.Scene;
 import dev.carom.bench.methods.Contender;
 import dev.carom.bench.methods.Method;
@@ -62,7 +64,7 @@ final class CellJudge {
           return Judged.lost(CellOutcome.ESCAPED);
         }
         double error = Math.hypot(x - truth.x(frame, i), y - truth.y(frame, i));
-        worst = Math.max(worst, error / cell.scene().circle(i).radius());
+        worst = Math.max(worst, error / ((Circle) cell.scene().shape(Kind.CIRCLE, i)).radius());
       }
     }
     if (speedError(method, truth) > LOST * fastest(cell.scene())) {
@@ -88,8 +90,8 @@ final class CellJudge {
 
   private static double fastest(Scene scene) {
     double fastest = 0;
-    for (int i = 0; i < scene.circleCount(); i++) {
-      fastest = Math.max(fastest, scene.velocity(i).length());
+    for (int i = 0; i < scene.count(Kind.CIRCLE); i++) {
+      fastest = Math.max(fastest, scene.velocity(Kind.CIRCLE, i).length());
     }
     return fastest;
   }

@@ -33,10 +33,10 @@ final class WedgeCourse implements Reference {
   }
 
   private static WedgeRun run(Scene scene, int frames, int nudged) {
-    Line first = scene.line(0);
-    Line second = scene.line(1);
-    Circle circle = scene.circle(0);
-    Vec2 velocity = scene.velocity(0);
+    Line first = (Line) scene.shape(Kind.LINE, 0);
+    Line second = (Line) scene.shape(Kind.LINE, 1);
+    Circle circle = (Circle) scene.shape(Kind.CIRCLE, 0);
+    Vec2 velocity = scene.velocity(Kind.CIRCLE, 0);
     double e = scene.traits(Kind.LINE, 0).restitution();
     WedgeRun run = new WedgeRun(first, second, circle.radius(), e);
     run.play(new double[] {circle.x(), circle.y(), velocity.x(), velocity.y()}, nudged, frames);

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 package dev.carom.bench.view;
 
+import dev.carom.Circle;
 import dev.carom.Kind;
 import dev.carom.Line;
 import dev.carom.Scene;
@@ -354,7 +355,7 @@ public final class Player {
 
   /** Puts a line elsewhere. */
   public void moveLine(int id, Line to) {
-    editable().moveLine(id, to.ax(), to.ay(), to.bx(), to.by());
+    editable().setShape(Kind.LINE, id, new Line(to.ax(), to.ay(), to.bx(), to.by()));
   }
 
   /**
@@ -365,7 +366,7 @@ public final class Player {
    */
   public void movePeg(int id, double x, double y) {
     World now = editable();
-    now.movePeg(id, x, y, now.peg(id).radius());
+    now.setShape(Kind.PEG, id, new Circle(x, y, now.peg(id).radius()));
   }
 
   /**

@@ -175,9 +175,9 @@ final class SceneCanvas extends JComponent {
   /** The radius of a circle of the scene: the last one's. */
   private double usualRadius() {
     Scene scene = player.scene();
-    int circles = scene.circleCount();
+    int circles = scene.count(Kind.CIRCLE);
     double shown = Math.max(getWidth(), getHeight()) / scale();
-    return circles > 0 ? scene.circle(circles - 1).radius() : RADIUS * shown;
+    return circles > 0 ? ((Circle) scene.shape(Kind.CIRCLE, circles - 1)).radius() : RADIUS * shown;
   }
 
   /** Removes what lies under a point. */

@@ -2,6 +2,7 @@
 package dev.carom.bench.view;
 
 import dev.carom.Circle;
+import dev.carom.Kind;
 import dev.carom.Line;
 import dev.carom.Scene;
 import dev.carom.SceneBuilder;
@@ -128,7 +129,8 @@ final class ScenePainter {
       if (Double.isFinite(played.x(i)) && Double.isFinite(played.y(i))) {
         double vx = Double.isFinite(played.vx(i)) ? played.vx(i) : 0;
         double vy = Double.isFinite(played.vy(i)) ? played.vy(i) : 0;
-        finite.circle(played.x(i), played.y(i), scene.circle(i).radius(), vx, vy);
+        finite.circle(
+            played.x(i), played.y(i), ((Circle) scene.shape(Kind.CIRCLE, i)).radius(), vx, vy);
         ids.add(i);
       }
     }

@@ -61,13 +61,13 @@ class WorldSceneTest {
     assertThat(now.traits(Kind.PEG, 0).filter().category()).isEqualTo(8);
     assertThat(now.traits(Kind.PEG, 0).filter().mask()).isEqualTo(9);
     assertThat(now.traits(Kind.WALL, 0).filter().category()).isEqualTo(7);
-    assertThat(now.circleCount()).isZero();
+    assertThat(now.count(Kind.CIRCLE)).isZero();
 
     Scene then = WorldScene.of(world, past, 0.5);
-    assertThat(then.circle(0).x()).isEqualTo(30.5);
+    assertThat(((Circle) then.shape(Kind.CIRCLE, 0)).x()).isEqualTo(30.5);
     assertThat(then.traits(Kind.CIRCLE, 0).mass()).isEqualTo(3);
     assertThat(then.traits(Kind.CIRCLE, 0).restitution()).isEqualTo(0.25);
-    assertThat(then.lineCount()).isEqualTo(1);
+    assertThat(then.count(Kind.LINE)).isEqualTo(1);
     assertThat(then.traits(Kind.LINE, 0).oneWay()).isTrue();
     assertThat(then.traits(Kind.WALL, 0).restitution()).isEqualTo(1);
     assertThat(then.traits(Kind.PEG, 0).restitution()).isEqualTo(1);
@@ -94,10 +94,10 @@ class WorldSceneTest {
     world.step(4);
     Scene now = WorldScene.of(world);
     Scene then = WorldScene.of(world, past, 1);
-    assertThat(now.line(1)).isEqualTo(new Line(8, 4, 8, 13));
-    assertThat(now.peg(1)).isEqualTo(new Circle(78, 20, 3));
-    assertThat(then.line(1)).isEqualTo(new Line(2, 1, 2, 10));
-    assertThat(then.peg(1)).isEqualTo(new Circle(79.5, 20, 3));
+    assertThat(now.shape(Kind.LINE, 1)).isEqualTo(new Line(8, 4, 8, 13));
+    assertThat(now.shape(Kind.PEG, 1)).isEqualTo(new Circle(78, 20, 3));
+    assertThat(then.shape(Kind.LINE, 1)).isEqualTo(new Line(2, 1, 2, 10));
+    assertThat(then.shape(Kind.PEG, 1)).isEqualTo(new Circle(79.5, 20, 3));
     for (Scene scene : new Scene[] {now, then}) {
       assertThat(scene.velocity(Kind.LINE, 1)).isEqualTo(new Vec2(2, 1));
       assertThat(scene.velocity(Kind.PEG, 1)).isEqualTo(new Vec2(-0.5, 0));

@@ -3,6 +3,7 @@ package dev.carom.bench.cli;
 
 import static org.assertj.core.api.Assertions.assertThat;
 
+import dev.carom.Kind;
 import dev.carom.Scene;
 import dev.carom.bench.results.ResultsCsv;
 import java.io.IOException;
@@ -101,7 +102,7 @@ class GasCommandTest {
     Cli.run("gas --circles 9 --frames 1 --replays 1 --save", file);
 
     assertThat(Scene.read(file).collide()).isTrue();
-    assertThat(Scene.read(file).circleCount()).isEqualTo(9);
+    assertThat(Scene.read(file).count(Kind.CIRCLE)).isEqualTo(9);
     assertThat(Cli.run("simulate --scene", file, "--frames", 1).exitCode()).isZero();
   }
 

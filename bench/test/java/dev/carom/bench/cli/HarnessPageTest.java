@@ -63,10 +63,10 @@ class HarnessPageTest {
   void theSampleOfASceneFileIsRead() throws IOException {
     String sample = all("(?s)## Scene files.*?```\n(.*?)```").get(0);
     Scene scene = Scene.read(new StringReader(sample), "the sample");
-    assertThat(scene.lineCount()).isEqualTo(3);
+    assertThat(scene.count(Kind.LINE)).isEqualTo(3);
     assertThat(scene.velocity(Kind.LINE, 2)).isEqualTo(new Vec2(2, 0));
-    assertThat(scene.pegCount()).isEqualTo(2);
-    assertThat(scene.circleCount()).isEqualTo(3);
+    assertThat(scene.count(Kind.PEG)).isEqualTo(2);
+    assertThat(scene.count(Kind.CIRCLE)).isEqualTo(3);
     assertThat(scene.collide()).isTrue();
     assertThat(scene.gravity()).isEqualTo(new Vec2(0, -0.5));
     assertThat(scene.warnings()).isEmpty();

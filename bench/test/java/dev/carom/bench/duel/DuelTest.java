@@ -4,6 +4,7 @@ package dev.carom.bench.duel;
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.within;
 
+import dev.carom.Kind;
 import dev.carom.Scene;
 import dev.carom.SceneBuilder;
 import dev.carom.World;
@@ -69,7 +70,7 @@ class DuelTest {
       duel.rival(90);
       for (int frame = 0; frame <= 90; frame += 10) {
         world.advanceTo(frame);
-        for (int i = 0; i < scene.circleCount(); i++) {
+        for (int i = 0; i < scene.count(Kind.CIRCLE); i++) {
           assertThat(duel.carom(frame).x(i)).isEqualTo(world.x(i));
           assertThat(duel.carom(frame).vy(i)).isEqualTo(world.vy(i));
         }

@@ -4,6 +4,7 @@ package dev.carom.bench.examples;
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.offset;
 
+import dev.carom.Circle;
 import dev.carom.Impact;
 import dev.carom.ImpactLog;
 import dev.carom.Kind;
@@ -143,7 +144,11 @@ class ExamplesTest {
       for (double t = example.shown; t < WhatIf.END; t = example.shown) {
         boolean same = example.scene(true).equals(example.scene(false));
         assertThat(same).as("at %s", t).isEqualTo(t < fork);
-        apart += example.scene(true).circle(0).equals(example.scene(false).circle(0)) ? 0 : 1;
+        apart +=
+            ((Circle) example.scene(true).shape(Kind.CIRCLE, 0))
+                    .equals((Circle) example.scene(false).shape(Kind.CIRCLE, 0))
+                ? 0
+                : 1;
         example.frame();
       }
       assertThat(apart).isPositive();
@@ -225,7 +230,7 @@ class ExamplesTest {
       assertThat(frames++).isLessThan(120 * Example.FRAMES);
     }
     World world = table.world;
-    assertThat(world.circleCount()).isBetween(1, 16);
+    assertThat(world.count(Kind.CIRCLE)).isBetween(1, 16);
     assertThat(gap(world)).isGreaterThan(-1e-12);
   }
 
@@ -406,9 +411,9 @@ class ExamplesTest {
     for (int i = 0; i < 4_000; i++) {
       board.frame();
       int arrived = Arrays.stream(board.counts()).sum();
-      assertThat(arrived + board.world().circleCount()).isEqualTo(board.dropped());
+      assertThat(arrived + board.world().count(Kind.CIRCLE)).isEqualTo(board.dropped());
     }
-    assertThat(board.world().circleCount()).as("none is stuck").isLessThan(200);
+    assertThat(board.world().count(Kind.CIRCLE)).as("none is stuck").isLessThan(200);
     double mean = 0;
     int arrived = Arrays.stream(board.counts()).sum();
     for (int slot = 0; slot < Plinko.SLOTS; slot++) {

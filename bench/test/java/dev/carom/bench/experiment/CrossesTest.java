@@ -8,6 +8,7 @@ import static org.assertj.core.api.Assertions.within;
 
 import dev.carom.Bounds;
 import dev.carom.Circle;
+import dev.carom.Kind;
 import dev.carom.Line;
 import dev.carom.Scene;
 import dev.carom.Vec2;
@@ -34,13 +35,13 @@ class CrossesTest {
   void theSameSeedGivesTheSameBitsEverywhere() throws CannotPlaceException {
     Scene scene = Crosses.canonical(1).scene();
     long hash = 17;
-    for (int i = 0; i < scene.lineCount(); i++) {
-      Line line = scene.line(i);
+    for (int i = 0; i < scene.count(Kind.LINE); i++) {
+      Line line = (Line) scene.shape(Kind.LINE, i);
       hash = mix(hash, line.ax(), line.ay(), line.bx(), line.by());
     }
-    for (int i = 0; i < scene.circleCount(); i++) {
-      Circle circle = scene.circle(i);
-      Vec2 velocity = scene.velocity(i);
+    for (int i = 0; i < scene.count(Kind.CIRCLE); i++) {
+      Circle circle = (Circle) scene.shape(Kind.CIRCLE, i);
+      Vec2 velocity = scene.velocity(Kind.CIRCLE, i);
       hash = mix(hash, circle.x(), circle.y(), circle.radius(), velocity.x(), velocity.y());
     }
     assertThat(hash).isEqualTo(HASH_OF_SEED_1);
@@ -59,7 +60,7 @@ class CrossesTest {
   void anotherSeedGivesAnotherScene() throws CannotPlaceException {
     Set<Vec2> first = new HashSet<>();
     for (long seed = 1; seed <= 20; seed++) {
-      first.add(Crosses.canonical(seed).scene().circle(0).center());
+      first.add(((Circle) Crosses.canonical(seed).scene().shape(Kind.CIRCLE, 0)).center());
     }
     assertThat(first).hasSize(20);
   }
@@ -70,10 +71,10 @@ class CrossesTest {
     Scene scene = Crosses.canonical(seed).scene();
 
     assertThat(scene.bounds()).contains(new Bounds(0, 0, 800, 600));
-    assertThat(scene.lineCount()).isEqualTo(100);
+    assertThat(scene.count(Kind.LINE)).isEqualTo(100);
     for (int i = 0; i < 100; i += 2) {
-      Line one = scene.line(i);
-      Line other = scene.line(i + 1);
+      Line one = (Line) scene.shape(Kind.LINE, i);
+      Line other = (Line) scene.shape(Kind.LINE, i + 1);
       assertThat(one.length()).isCloseTo(20, within(1e-12));
       assertThat(other.length()).isCloseTo(20, within(1e-12));
       assertThat(distance(middle(one), middle(other))).isLessThan(1e-12);
@@ -84,7 +85,8 @@ class CrossesTest {
       assertThat(middle(one).x()).isBetween(30 - 1e-12, 770 + 1e-12);
       assertThat(middle(one).y()).isBetween(30 - 1e-12, 570 + 1e-12);
       for (int j = 0; j < i; j += 2) {
-        assertThat(distance(middle(one), middle(scene.line(j)))).isGreaterThan(45 - 1e-12);
+        assertThat(distance(middle(one), middle((Line) scene.shape(Kind.LINE, j))))
+            .isGreaterThan(45 - 1e-12);
       }
     }
   }

@@ -24,15 +24,15 @@ class GasTest {
   void theSameSeedGivesTheSameBitsEverywhere() throws CannotPlaceException {
     Scene scene = new Gas(100, 0.2, 2, true, 1).scene();
     long hash = 17;
-    for (int i = 0; i < scene.circleCount(); i++) {
-      Circle c = scene.circle(i);
+    for (int i = 0; i < scene.count(Kind.CIRCLE); i++) {
+      Circle c = (Circle) scene.shape(Kind.CIRCLE, i);
       for (double value :
           new double[] {
             c.x(),
             c.y(),
             c.radius(),
-            scene.velocity(i).x(),
-            scene.velocity(i).y(),
+            scene.velocity(Kind.CIRCLE, i).x(),
+            scene.velocity(Kind.CIRCLE, i).y(),
             scene.traits(Kind.CIRCLE, i).mass()
           }) {
         hash = 31 * hash + Double.doubleToRawLongBits(value);
@@ -57,18 +57,18 @@ class GasTest {
   /** So many circles in a box, which cover a part of it and, but for a margin, no other circle. */
   static void assertGas(Scene scene, int n, double packing, double spread, double margin) {
     assertThat(scene.collide()).isTrue();
-    assertThat(scene.circleCount()).isEqualTo(n);
+    assertThat(scene.count(Kind.CIRCLE)).isEqualTo(n);
     Bounds bounds = scene.bounds().orElseThrow();
     double covered = 0;
     for (int i = 0; i < n; i++) {
-      Circle c = scene.circle(i);
+      Circle c = (Circle) scene.shape(Kind.CIRCLE, i);
       double r = c.radius();
       assertThat(r).isBetween(1.0, spread);
       covered += Math.PI * r * r;
       assertThat(c.x()).isBetween(r - margin, bounds.xmax() - r + margin);
       assertThat(c.y()).isBetween(r - margin, bounds.ymax() - r + margin);
       for (int j = 0; j < i; j++) {
-        Circle d = scene.circle(j);
+        Circle d = (Circle) scene.shape(Kind.CIRCLE, j);
         assertThat(Math.hypot(c.x() - d.x(), c.y() - d.y())).isGreaterThan(r + d.radius() - margin);
       }
     }

@@ -3,6 +3,8 @@ package dev.carom.bench.fuzz;
 
 import static org.assertj.core.api.Assertions.assertThat;
 
+import dev.carom.Circle;
+import dev.carom.Kind;
 import dev.carom.Scene;
 import dev.carom.Vec2;
 import dev.carom.bench.methods.PlainScene;
@@ -88,8 +90,8 @@ class WorldFuzzTest {
   }
 
   private static double[] places(Scene scene) {
-    return IntStream.range(0, scene.circleCount())
-        .mapToObj(scene::circle)
+    return IntStream.range(0, scene.count(Kind.CIRCLE))
+        .mapToObj(i -> (Circle) scene.shape(Kind.CIRCLE, i))
         .flatMapToDouble(c -> DoubleStream.of(c.x(), c.y()))
         .toArray();
   }

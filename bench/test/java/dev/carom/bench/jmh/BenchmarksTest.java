@@ -87,7 +87,7 @@ class BenchmarksTest {
     for (int circles : new int[] {1, 10, 100, 400}) {
       growth.circles = circles;
       growth.generate();
-      assertThat(growth.build().circleCount()).isEqualTo(circles);
+      assertThat(growth.build().count(Kind.CIRCLE)).isEqualTo(circles);
     }
   }
 
@@ -100,7 +100,7 @@ class BenchmarksTest {
       edits.steer(steered);
     }
     edits.steerOne(steered);
-    assertThat(edits.setVelocity(steered).circleCount()).isEqualTo(400);
+    assertThat(edits.setVelocity(steered).count(Kind.CIRCLE)).isEqualTo(400);
     assertThat(steered.world.idLimit(Kind.LINE)).isEqualTo(400);
     assertThat(steered.world.impacts().size()).isPositive();
 
@@ -110,7 +110,7 @@ class BenchmarksTest {
     edits.restoreAndStepGas(thousand);
     assertThat(edits.snapshotAlone(thousand)).isNotEqualTo(thousand.ofAlone);
     assertThat(edits.restoreAlone(thousand).snapshot()).isEqualTo(thousand.ofAlone);
-    assertThat(edits.restoreGas(thousand).circleCount()).isEqualTo(1000);
+    assertThat(edits.restoreGas(thousand).count(Kind.CIRCLE)).isEqualTo(1000);
     assertThat(edits.snapshotGas(thousand)).isEqualTo(thousand.ofGas);
     assertThat(edits.hashGas(thousand)).isEqualTo(thousand.ofGas.hash64());
     assertThat(edits.writeGas(thousand)).isEqualTo(thousand.bytesOfGas).hasSize(105_147);

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 package dev.carom.bench.measures;
 
+import dev.carom.Circle;
+import dev.carom.Kind;
 import dev.carom.Scene;
 import dev.carom.bench.methods.Contender;
 import dev.carom.bench.methods.Method;
@@ -21,16 +23,16 @@ final class Drunkard implements Method {
   private int frame;
 
   private Drunkard(Scene scene, double astray, double gain, int lastFrame) {
-    int n = scene.circleCount();
+    int n = scene.count(Kind.CIRCLE);
     x = new double[n];
     y = new double[n];
     vx = new double[n];
     vy = new double[n];
     for (int i = 0; i < n; i++) {
-      x[i] = scene.circle(i).x();
-      y[i] = scene.circle(i).y();
-      vx[i] = scene.velocity(i).x();
-      vy[i] = scene.velocity(i).y();
+      x[i] = ((Circle) scene.shape(Kind.CIRCLE, i)).x();
+      y[i] = ((Circle) scene.shape(Kind.CIRCLE, i)).y();
+      vx[i] = scene.velocity(Kind.CIRCLE, i).x();
+      vy[i] = scene.velocity(Kind.CIRCLE, i).y();
     }
     this.astray = astray;
     this.gain = gain;

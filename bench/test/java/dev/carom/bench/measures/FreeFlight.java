@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 package dev.carom.bench.measures;
 
+import dev.carom.Circle;
+import dev.carom.Kind;
 import dev.carom.Scene;
 import dev.carom.bench.reference.Reference;
 
@@ -9,27 +11,27 @@ record FreeFlight(Scene scene, int frames) implements Reference {
 
   @Override
   public int circles() {
-    return scene.circleCount();
+    return scene.count(Kind.CIRCLE);
   }
 
   @Override
   public double x(int frame, int circle) {
-    return scene.circle(circle).x() + frame * vx(frame, circle);
+    return ((Circle) scene.shape(Kind.CIRCLE, circle)).x() + frame * vx(frame, circle);
   }
 
   @Override
   public double y(int frame, int circle) {
-    return scene.circle(circle).y() + frame * vy(frame, circle);
+    return ((Circle) scene.shape(Kind.CIRCLE, circle)).y() + frame * vy(frame, circle);
   }
 
   @Override
   public double vx(int frame, int circle) {
-    return scene.velocity(circle).x();
+    return scene.velocity(Kind.CIRCLE, circle).x();
   }
 
   @Override
   public double vy(int frame, int circle) {
-    return scene.velocity(circle).y();
+    return scene.velocity(Kind.CIRCLE, circle).y();
   }
 
   @Override

@@ -5,6 +5,7 @@ import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.assertThatThrownBy;
 import static org.assertj.core.api.Assertions.within;
 
+import dev.carom.Kind;
 import dev.carom.Scene;
 import dev.carom.SceneBuilder;
 import dev.carom.bench.experiment.CannotPlaceException;
@@ -269,7 +270,7 @@ class MethodsTest {
       cells.frame();
       pairsOfAll += all.pairTests();
       pairsOfCells += cells.pairTests();
-      for (int i = 0; i < scene.circleCount(); i++) {
+      for (int i = 0; i < scene.count(Kind.CIRCLE); i++) {
         assertThat(cells.x(i)).isEqualTo(all.x(i));
         assertThat(cells.y(i)).isEqualTo(all.y(i));
       }
@@ -288,7 +289,7 @@ class MethodsTest {
     Method cells = after(20, Methods.TEXTBOOK_GRID, scene);
     Method all = after(20, Methods.TEXTBOOK_DOUBLE, scene);
 
-    for (int i = 0; i < scene.circleCount(); i++) {
+    for (int i = 0; i < scene.count(Kind.CIRCLE); i++) {
       assertThat(cells.y(i)).isEqualTo(all.y(i));
     }
     assertThat(cells.vy(0)).isEqualTo(-100);

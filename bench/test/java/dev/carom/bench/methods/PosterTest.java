@@ -4,6 +4,7 @@ package dev.carom.bench.methods;
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.within;
 
+import dev.carom.Kind;
 import dev.carom.Scene;
 import dev.carom.bench.experiment.CannotPlaceException;
 import dev.carom.bench.experiment.Crosses;
@@ -101,7 +102,7 @@ class PosterTest {
       impacts += carom.impacts();
     }
     int close = 0;
-    for (int i = 0; i < scene.circleCount(); i++) {
+    for (int i = 0; i < scene.count(Kind.CIRCLE); i++) {
       double dx = carom.x(i) - poster.x(i);
       double dy = carom.y(i) - poster.y(i);
       close += Math.hypot(dx, dy) < 0.01 ? 1 : 0;

@@ -140,7 +140,7 @@ class CollidingTruthTest {
 
   private static double[] ratios(Scene scene, Truth truth) {
     World world = new World(scene);
-    int circles = scene.circleCount();
+    int circles = scene.count(Kind.CIRCLE);
     double[] ratios = new double[FRAMES * circles];
     int count = 0;
     for (int frame = 1; frame <= FRAMES && isWithin(truth, frame); frame++) {

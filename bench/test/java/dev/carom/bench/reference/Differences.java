@@ -2,6 +2,7 @@
 package dev.carom.bench.reference;
 
 import dev.carom.Circle;
+import dev.carom.Kind;
 import dev.carom.Scene;
 import dev.carom.SceneBuilder;
 import dev.carom.Vec2;
@@ -27,9 +28,9 @@ final class Differences {
   /** With values of 24 bits, so that a step of one is what it is called. */
   static Scene moved(Scene scene, int q, double step) {
     SceneBuilder builder = SceneCopy.obstacles(scene);
-    for (int i = 0; i < scene.circleCount(); i++) {
-      Circle c = scene.circle(i);
-      Vec2 v = scene.velocity(i);
+    for (int i = 0; i < scene.count(Kind.CIRCLE); i++) {
+      Circle c = (Circle) scene.shape(Kind.CIRCLE, i);
+      Vec2 v = scene.velocity(Kind.CIRCLE, i);
       double[] values = {c.x(), c.y(), v.x(), v.y()};
       for (int k = 0; k < values.length; k++) {
         double value = (float) values[k];

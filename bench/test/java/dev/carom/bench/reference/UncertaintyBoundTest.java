@@ -3,6 +3,7 @@ package dev.carom.bench.reference;
 
 import static org.assertj.core.api.Assertions.assertThat;
 
+import dev.carom.Kind;
 import dev.carom.Scene;
 import dev.carom.SceneBuilder;
 import dev.carom.Uncertainty;
@@ -58,7 +59,7 @@ class UncertaintyBoundTest {
   private static double[] ratios(Scene scene, Reference truth, String name) {
     World world = new World(scene);
     int frames = truth.frames();
-    int circles = scene.circleCount();
+    int circles = scene.count(Kind.CIRCLE);
     Uncertainty uncertainty = world.uncertainty(1);
     boolean[] isKnown = new boolean[circles];
     Arrays.fill(isKnown, true);

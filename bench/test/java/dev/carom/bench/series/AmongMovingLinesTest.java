@@ -26,18 +26,18 @@ class AmongMovingLinesTest {
     Scene moving = AmongMovingLines.scene(1, FRAMES, true);
     Scene resting = AmongMovingLines.scene(1, FRAMES, false);
     Bounds bounds = moving.bounds().orElseThrow();
-    int others = moving.lineCount() - MOVING;
-    assertThat(resting.lineCount()).isEqualTo(others + MOVING);
+    int others = moving.count(Kind.LINE) - MOVING;
+    assertThat(resting.count(Kind.LINE)).isEqualTo(others + MOVING);
     for (int k = 0; k < others; k++) {
       assertThat(moving.velocity(Kind.LINE, k)).isEqualTo(Vec2.ZERO);
-      assertThat(resting.line(k)).isEqualTo(moving.line(k));
+      assertThat(resting.shape(Kind.LINE, k)).isEqualTo(moving.shape(Kind.LINE, k));
     }
     for (int k = others; k < others + MOVING; k++) {
       Vec2 u = moving.velocity(Kind.LINE, k);
       assertThat(u.length()).isBetween(1 - ROUNDING, 10 + ROUNDING);
       assertThat(resting.velocity(Kind.LINE, k)).isEqualTo(Vec2.ZERO);
-      Line start = moving.line(k);
-      Line rest = resting.line(k);
+      Line start = (Line) moving.shape(Kind.LINE, k);
+      Line rest = (Line) resting.shape(Kind.LINE, k);
       double half = FRAMES / 2.0;
       assertThat(rest.ax()).isCloseTo(start.ax() + half * u.x(), within(ROUNDING));
       assertThat(rest.ay()).isCloseTo(start.ay() + half * u.y(), within(ROUNDING));

@@ -3,6 +3,8 @@ package dev.carom.bench.series;
 
 import static org.assertj.core.api.Assertions.assertThat;
 
+import dev.carom.Circle;
+import dev.carom.Kind;
 import dev.carom.Scene;
 import dev.carom.bench.experiment.CannotPlaceException;
 import dev.carom.bench.experiment.Crosses;
@@ -30,13 +32,15 @@ class ScaleTest {
   void tilesAreAsDenseAsTheExperiment() throws CannotPlaceException {
     assertThat(new Tiles(1, true, 5).scene()).isEqualTo(Crosses.canonical(5).scene());
     Scene four = new Tiles(2, true, 5).scene();
-    assertThat(four.circleCount()).isEqualTo(400);
-    assertThat(four.lineCount()).isEqualTo(400);
+    assertThat(four.count(Kind.CIRCLE)).isEqualTo(400);
+    assertThat(four.count(Kind.LINE)).isEqualTo(400);
     assertThat(four.bounds().orElseThrow().xmax()).isEqualTo(1600);
     Scene last = Crosses.canonical(8).scene();
-    assertThat(four.circle(399).x()).isEqualTo(last.circle(99).x() + 800);
-    assertThat(four.circle(399).y()).isEqualTo(last.circle(99).y() + 600);
-    assertThat(new Tiles(2, false, 5).scene().lineCount()).isZero();
+    assertThat(((Circle) four.shape(Kind.CIRCLE, 399)).x())
+        .isEqualTo(((Circle) last.shape(Kind.CIRCLE, 99)).x() + 800);
+    assertThat(((Circle) four.shape(Kind.CIRCLE, 399)).y())
+        .isEqualTo(((Circle) last.shape(Kind.CIRCLE, 99)).y() + 600);
+    assertThat(new Tiles(2, false, 5).scene().count(Kind.LINE)).isZero();
   }
 
   /** A method that waits before each frame. */

@@ -4,6 +4,7 @@ package dev.carom.bench.series;
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.within;
 
+import dev.carom.Kind;
 import dev.carom.bench.experiment.CannotPlaceException;
 import dev.carom.bench.series.SweepPlan.Axis;
 import dev.carom.bench.series.SweepPlan.Point;
@@ -38,7 +39,7 @@ class SweepTest {
   @Test
   void everySceneHasRoom() throws CannotPlaceException {
     for (Point point : SweepPlan.of(1, 600, 15, false).points()) {
-      assertThat(point.crosses().scene().lineCount()).isEqualTo(2 * point.crosses().crosses());
+      assertThat(point.crosses().scene().count(Kind.LINE)).isEqualTo(2 * point.crosses().crosses());
     }
   }
 

@@ -30,7 +30,7 @@ class PlayerTest {
   }
 
   private double x() {
-    return player.scene().circle(0).x();
+    return ((Circle) player.scene().shape(Kind.CIRCLE, 0)).x();
   }
 
   @Test
@@ -98,8 +98,8 @@ class PlayerTest {
     player.seek(7);
     player.moveCircle(0, 40, 31);
     assertThat(player.end()).isEqualTo(7);
-    assertThat(player.scene().circle(0)).isEqualTo(new Circle(40, 31, 10));
-    assertThat(player.scene().velocity(0)).isEqualTo(new Vec2(-8, 0));
+    assertThat(player.scene().shape(Kind.CIRCLE, 0)).isEqualTo(new Circle(40, 31, 10));
+    assertThat(player.scene().velocity(Kind.CIRCLE, 0)).isEqualTo(new Vec2(-8, 0));
     assertThat(player.impacts()).as("those before").isEqualTo(1);
     run(8);
     assertThat(player.end()).isEqualTo(15);
@@ -120,14 +120,14 @@ class PlayerTest {
     for (int i = 0; i < 20; i++) {
       moving.tick();
     }
-    assertThat(moving.scene().line(0)).isEqualTo(new Line(60, 0, 60, 20));
-    assertThat(moving.scene().velocity(0)).isEqualTo(new Vec2(6, 0));
+    assertThat(moving.scene().shape(Kind.LINE, 0)).isEqualTo(new Line(60, 0, 60, 20));
+    assertThat(moving.scene().velocity(Kind.CIRCLE, 0)).isEqualTo(new Vec2(6, 0));
     moving.seek(4);
-    assertThat(moving.scene().line(0)).isEqualTo(new Line(12, 0, 12, 20));
+    assertThat(moving.scene().shape(Kind.LINE, 0)).isEqualTo(new Line(12, 0, 12, 20));
     assertThat(Grip.at(moving, new Vec2(12, 10), 1).kind()).isEqualTo(Kind.LINE);
     moving.moveLine(0, new Line(22, 0, 22, 20));
     moving.stepFrame();
-    assertThat(moving.scene().line(0)).isEqualTo(new Line(25, 0, 25, 20));
+    assertThat(moving.scene().shape(Kind.LINE, 0)).isEqualTo(new Line(25, 0, 25, 20));
   }
 
   /** The future that was is dropped with its removals and jumps, and ids stay. */
@@ -142,7 +142,7 @@ class PlayerTest {
     player.seek(2);
     player.movePeg(0, 21, 50);
     assertThat(player.circleIds()).containsExactly(0, 1);
-    assertThat(player.scene().peg(0)).isEqualTo(new Circle(21, 50, 2));
+    assertThat(player.scene().shape(Kind.PEG, 0)).isEqualTo(new Circle(21, 50, 2));
     run(4);
     assertThat(player.end()).isEqualTo(6);
     assertThat(player.lastJump(1)).isEqualTo(Double.NEGATIVE_INFINITY);
@@ -171,13 +171,13 @@ class PlayerTest {
   void takesHoldOfCirclesLinesAndEnds() {
     assertThat(Grip.at(player, new Vec2(5, 50), 2)).isNull();
     Grip.at(player, new Vec2(55, 35), 2).drag(new Vec2(56, 36), 0);
-    assertThat(player.scene().circle(0)).isEqualTo(new Circle(51, 31, 10));
+    assertThat(player.scene().shape(Kind.CIRCLE, 0)).isEqualTo(new Circle(51, 31, 10));
     Grip.at(player, new Vec2(40, 11), 2).drag(new Vec2(41, 16), 0);
-    assertThat(player.scene().line(0)).isEqualTo(new Line(21, 15, 61, 15));
+    assertThat(player.scene().shape(Kind.LINE, 0)).isEqualTo(new Line(21, 15, 61, 15));
     Grip.at(player, new Vec2(60.5, 15), 2).drag(new Vec2(60.5, 20), 0);
-    assertThat(player.scene().line(0)).isEqualTo(new Line(21, 15, 61, 20));
+    assertThat(player.scene().shape(Kind.LINE, 0)).isEqualTo(new Line(21, 15, 61, 20));
     Grip.at(player, new Vec2(21, 15), 2).drag(new Vec2(20, 15), 0);
-    assertThat(player.scene().line(0)).isEqualTo(new Line(20, 15, 61, 20));
+    assertThat(player.scene().shape(Kind.LINE, 0)).isEqualTo(new Line(20, 15, 61, 20));
   }
 
   @Test
@@ -238,8 +238,8 @@ class PlayerTest {
     }
     grip.release(30 * tick);
     double cut = 1e9 / 60 / tick; // to whole nanoseconds
-    assertThat(player.scene().velocity(0).x()).isCloseTo(0.5 * cut, offset(1e-12));
-    assertThat(player.scene().velocity(0).y()).isZero();
+    assertThat(player.scene().velocity(Kind.CIRCLE, 0).x()).isCloseTo(0.5 * cut, offset(1e-12));
+    assertThat(player.scene().velocity(Kind.CIRCLE, 0).y()).isZero();
   }
 
   /** A busy machine hands over ten motions of 6 in 160 ms as ten at one moment. */
@@ -251,7 +251,7 @@ class PlayerTest {
       grip.drag(new Vec2(50 + 0.6 * i, 30), 1_000_000_000 + i);
     }
     grip.release(1_000_000_100);
-    assertThat(player.scene().velocity(0).x()).isCloseTo(6 / 3.0, offset(1e-6));
+    assertThat(player.scene().velocity(Kind.CIRCLE, 0).x()).isCloseTo(6 / 3.0, offset(1e-6));
   }
 
   @Test
@@ -259,10 +259,10 @@ class PlayerTest {
     Grip grip = Grip.at(player, new Vec2(50, 30), 2);
     grip.drag(new Vec2(52, 30), 10);
     grip.hold();
-    assertThat(player.scene().velocity(0)).isEqualTo(Vec2.ZERO);
+    assertThat(player.scene().velocity(Kind.CIRCLE, 0)).isEqualTo(Vec2.ZERO);
     grip.release(1_000_000_000);
-    assertThat(player.scene().velocity(0)).isEqualTo(new Vec2(8, 0));
-    assertThat(player.scene().circle(0).x()).isEqualTo(52);
+    assertThat(player.scene().velocity(Kind.CIRCLE, 0)).isEqualTo(new Vec2(8, 0));
+    assertThat(((Circle) player.scene().shape(Kind.CIRCLE, 0)).x()).isEqualTo(52);
   }
 
   @Test
@@ -280,19 +280,19 @@ class PlayerTest {
   @Test
   void addsAndRemoves() {
     new Draft(Tool.CIRCLE, new Vec2(20, 40), new Vec2(50, 40), 5).add(player);
-    assertThat(player.scene().circle(1)).isEqualTo(new Circle(20, 40, 5));
-    assertThat(player.scene().velocity(1)).isEqualTo(new Vec2(1, 0));
+    assertThat(player.scene().shape(Kind.CIRCLE, 1)).isEqualTo(new Circle(20, 40, 5));
+    assertThat(player.scene().velocity(Kind.CIRCLE, 1)).isEqualTo(new Vec2(1, 0));
     new Draft(Tool.LINE, new Vec2(80, 10), new Vec2(90, 20), 5).add(player);
-    assertThat(player.scene().line(1)).isEqualTo(new Line(80, 10, 90, 20));
+    assertThat(player.scene().shape(Kind.LINE, 1)).isEqualTo(new Line(80, 10, 90, 20));
     new Draft(Tool.LINE, new Vec2(80, 10), new Vec2(80, 10), 5).add(player);
-    assertThat(player.scene().lineCount()).isEqualTo(2);
+    assertThat(player.scene().count(Kind.LINE)).isEqualTo(2);
     new Draft(Tool.PEG, new Vec2(30, 50), new Vec2(33, 54), 5).add(player);
-    assertThat(player.scene().peg(0)).isEqualTo(new Circle(30, 50, 5));
+    assertThat(player.scene().shape(Kind.PEG, 0)).isEqualTo(new Circle(30, 50, 5));
     Grip peg = Grip.at(player, new Vec2(30, 50), 2);
     peg.drag(new Vec2(31, 50), 0);
-    assertThat(player.scene().peg(0)).isEqualTo(new Circle(31, 50, 5));
+    assertThat(player.scene().shape(Kind.PEG, 0)).isEqualTo(new Circle(31, 50, 5));
     player.remove(peg.kind(), peg.id());
-    assertThat(player.scene().pegCount()).isZero();
+    assertThat(player.scene().count(Kind.PEG)).isZero();
   }
 
   @Test
@@ -303,7 +303,7 @@ class PlayerTest {
     player.seek(player.end());
     run(15);
     assertThat(turn).isEqualTo(95);
-    assertThat(player.scene().circle(1).x()).isEqualTo(95);
+    assertThat(((Circle) player.scene().shape(Kind.CIRCLE, 1)).x()).isEqualTo(95);
   }
 
   /** Bounces of height 20 over the floor: 20 frames up, 20 down; a fork in mid-air. */
@@ -318,21 +318,24 @@ class PlayerTest {
     for (int i = 0; i < 10; i++) {
       falling.tick();
     }
-    double y = falling.scene().circle(0).y();
+    double y = ((Circle) falling.scene().shape(Kind.CIRCLE, 0)).y();
     assertThat(y).isCloseTo(25, offset(1e-12));
     assertThat(falling.scene().gravity()).isEqualTo(new Vec2(0, -0.1));
     falling.setGravity(0, 0);
     falling.stepFrame();
-    assertThat(falling.scene().circle(0).y()).as("straight on").isCloseTo(26, offset(1e-12));
+    assertThat(((Circle) falling.scene().shape(Kind.CIRCLE, 0)).y())
+        .as("straight on")
+        .isCloseTo(26, offset(1e-12));
     assertThat(falling.scene().gravity()).isEqualTo(Vec2.ZERO);
     falling.seek(10);
-    assertThat(falling.scene().circle(0)).isEqualTo(new Circle(60, 25, 10));
+    assertThat(falling.scene().shape(Kind.CIRCLE, 0)).isEqualTo(new Circle(60, 25, 10));
     assertThat(falling.look().gravity()).as("that of then").isEqualTo(new Vec2(0, -0.1));
     falling.throwCircle(0, 1, 2);
     assertThat(falling.end()).isEqualTo(10);
     assertThat(falling.scene().gravity()).isEqualTo(new Vec2(0, -0.1));
     falling.stepFrame();
-    assertThat(falling.scene().circle(0).y()).isCloseTo(26.95, offset(1e-12));
+    assertThat(((Circle) falling.scene().shape(Kind.CIRCLE, 0)).y())
+        .isCloseTo(26.95, offset(1e-12));
   }
 
   /** The way that is drawn is an arc, and the circle takes it. */
@@ -344,7 +347,7 @@ class PlayerTest {
     assertThat(half).isEqualTo(new Vec2(30, 35));
     draft.add(player);
     run(10);
-    assertThat(player.scene().circle(1).y()).isCloseTo(35, offset(1e-12));
+    assertThat(((Circle) player.scene().shape(Kind.CIRCLE, 1)).y()).isCloseTo(35, offset(1e-12));
   }
 
   @Test

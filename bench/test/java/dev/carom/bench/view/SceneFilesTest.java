@@ -3,6 +3,7 @@ package dev.carom.bench.view;
 
 import static org.assertj.core.api.Assertions.assertThat;
 
+import dev.carom.Circle;
 import dev.carom.Kind;
 import dev.carom.Scene;
 import java.nio.file.Files;
@@ -71,8 +72,8 @@ class SceneFilesTest {
     dialogs.file = Optional.of(file);
     files.save();
     Scene saved = Scene.read(file);
-    assertThat(saved.circle(0).x()).isEqualTo(90);
-    assertThat(saved.velocity(0).x()).isEqualTo(-8);
+    assertThat(((Circle) saved.shape(Kind.CIRCLE, 0)).x()).isEqualTo(90);
+    assertThat(saved.velocity(Kind.CIRCLE, 0).x()).isEqualTo(-8);
     assertThat(saved.traits(Kind.LINE, 0).restitution()).isEqualTo(0.5);
     player.restart();
     player.setRunning(true);
@@ -116,7 +117,7 @@ class SceneFilesTest {
                 "This is no scene: %s%nline 2, column 12:%n%s",
                 file, "radius is \"x\": expected a finite number"));
     assertThat(player.shown()).isEqualTo(1);
-    assertThat(player.scene().circle(0).x()).isEqualTo(58);
+    assertThat(((Circle) player.scene().shape(Kind.CIRCLE, 0)).x()).isEqualTo(58);
   }
 
   @Test

@@ -4,6 +4,8 @@ package dev.carom.bench.view;
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.offset;
 
+import dev.carom.Circle;
+import dev.carom.Kind;
 import dev.carom.Scene;
 import dev.carom.bench.view.ScenePainter.Layer;
 import java.awt.Color;
@@ -161,8 +163,10 @@ class ViewPanelTest {
     double scale = canvas.painter().transform(new Rectangle(canvas.getSize())).getScaleX();
     canvas.press(middle);
     canvas.drag(new Point(middle.x - 100, middle.y + 50), 0);
-    assertThat(player.scene().circle(0).x()).isCloseTo(50 - 100 / scale, offset(1e-12));
-    assertThat(player.scene().circle(0).y()).isCloseTo(30 - 50 / scale, offset(1e-12));
+    assertThat(((Circle) player.scene().shape(Kind.CIRCLE, 0)).x())
+        .isCloseTo(50 - 100 / scale, offset(1e-12));
+    assertThat(((Circle) player.scene().shape(Kind.CIRCLE, 0)).y())
+        .isCloseTo(30 - 50 / scale, offset(1e-12));
   }
 
   /** Three places far apart, all at one moment: a trail would be a line between them. */
@@ -235,14 +239,14 @@ class ViewPanelTest {
       canvas.release(0);
     }
     assertThat(player.scene())
-        .extracting(Scene::circleCount, Scene::lineCount, Scene::pegCount)
+        .extracting(s -> s.count(Kind.CIRCLE), s -> s.count(Kind.LINE), s -> s.count(Kind.PEG))
         .containsExactly(2, 2, 1);
     toggle(Tool.DELETE).doClick();
     canvas.press(from);
     canvas.press(from);
     canvas.press(from);
     assertThat(player.scene())
-        .extracting(Scene::circleCount, Scene::lineCount, Scene::pegCount)
+        .extracting(s -> s.count(Kind.CIRCLE), s -> s.count(Kind.LINE), s -> s.count(Kind.PEG))
         .containsExactly(1, 1, 0);
   }
 

@@ -6,6 +6,7 @@ import static org.assertj.core.api.Assertions.assertThat;
 
 import com.formdev.flatlaf.FlatLaf;
 import dev.carom.Circle;
+import dev.carom.Kind;
 import dev.carom.Scene;
 import dev.carom.bench.Screen;
 import dev.carom.bench.duel.Preset;
@@ -101,7 +102,7 @@ class ViewWindowTest {
     }
     screen.until(() -> assertThat(panel().arena().frame()).isEqualTo(reached - 5));
     assertThat(get(() -> panel().arena().duel().carom(reached - 5).x(3)))
-        .isEqualTo(get(() -> player.scene().circle(3).x()));
+        .isEqualTo(get(() -> ((Circle) player.scene().shape(Kind.CIRCLE, 3)).x()));
     screen.type(KeyEvent.VK_B);
     screen.until(() -> assertThat(panel().arena().duel().rival()).isEqualTo(Rival.DYN4J));
     screen.keep("duel-next");
@@ -144,8 +145,10 @@ class ViewWindowTest {
     screen.until(
         () -> {
           Scene after = player.scene();
-          assertThat(after.circle(99).x()).isGreaterThan(before.circle(99).x());
-          assertThat(after.circle(99).y()).isLessThan(before.circle(99).y());
+          assertThat(((Circle) after.shape(Kind.CIRCLE, 99)).x())
+              .isGreaterThan(((Circle) before.shape(Kind.CIRCLE, 99)).x());
+          assertThat(((Circle) after.shape(Kind.CIRCLE, 99)).y())
+              .isLessThan(((Circle) before.shape(Kind.CIRCLE, 99)).y());
         });
     screen.keep("dragged");
   }
@@ -158,7 +161,7 @@ class ViewWindowTest {
     return get(
         () -> {
           SceneCanvas canvas = panel().canvas();
-          Circle last = player.scene().circle(99);
+          Circle last = (Circle) player.scene().shape(Kind.CIRCLE, 99);
           Rectangle area = new Rectangle(canvas.getWidth(), canvas.getHeight());
           Point2D at = new Point2D.Double(last.x(), last.y());
           canvas.painter().transform(area).transform(at, at);

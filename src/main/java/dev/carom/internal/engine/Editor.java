@@ -11,6 +11,7 @@ import dev.carom.internal.state.ObstacleTable;
 import dev.carom.internal.state.SceneData;
 import dev.carom.internal.state.SizeLimits;
 import dev.carom.internal.state.TraitValues;
+import dev.carom.internal.sweep.Coordinates;
 import dev.carom.internal.sweep.ObstacleShape;
 import dev.carom.internal.util.Check;
 import dev.carom.internal.util.KindNumber;
@@ -63,28 +64,34 @@ public final class Editor {
   }
 
   public void setPosition(int slot, double x, double y, double now) {
-    try {
-      checkPlace(x, y);
-    } catch (IllegalArgumentException e) {
-      throw named(e, Codes.circle(slot));
-    }
-    MovingCircle m = restarted(slot, now);
-    m.x = x;
-    m.y = y;
-    m.forget();
-    engine.beginFlight(m);
-    limits.keepPlace(x, y);
+    setCircle(slot, x, y, circles.radius(slot), true, now);
   }
 
-  public void setRadius(int slot, double radius, double now) {
+  /** Gives a circle another place, within the doubles, and radius; it keeps its velocity. */
+  public void setCircle(int slot, double x, double y, double radius, double now) {
+    boolean moves =
+        x != Coordinates.within(circles.x(slot, now))
+            || y != Coordinates.within(circles.y(slot, now));
+    setCircle(slot, x, y, radius, moves, now);
+  }
+
+  private void setCircle(int slot, double x, double y, double radius, boolean moves, double now) {
     try {
-      limits.checkRadius(radius, 0, 0, haveLines());
+      if (moves) {
+        checkPlace(x, y);
+      }
+      limits.checkRadius(radius, moves ? x : 0, moves ? y : 0, haveLines());
     } catch (IllegalArgumentException e) {
       throw named(e, Codes.circle(slot));
     }
     MovingCircle m = restarted(slot, now);
     m.radius = radius + 0.0; // 0 for -0
-    if (m.isFalling()) {
+    if (moves) {
+      m.x = x;
+      m.y = y;
+      m.forget();
+      limits.keepPlace(x, y);
+    } else if (m.isFalling()) {
       m.last = MovingCircle.NOTHING; // the gap to that is no longer 0
     }
     engine.beginFlight(m);

@@ -11,7 +11,6 @@ import dev.carom.internal.state.SceneData;
 import dev.carom.internal.sweep.LineShape;
 import dev.carom.internal.sweep.PegShape;
 import dev.carom.internal.util.IntList;
-import dev.carom.internal.util.KindNumber;
 import java.util.ArrayList;
 import java.util.Collections;
 import java.util.List;
@@ -31,11 +30,9 @@ public final class Warnings {
 
   private static final int FIRST_BLOCK = 64;
 
-  private static final List<String> WALLS = List.of("left", "right", "bottom", "top");
-
   private final SceneData scene;
   private final ObstacleTable obstacles;
-  private final List<String> texts = new ArrayList<>();
+  private final List<Overlap> overlaps = new ArrayList<>();
 
   /**
    * The overlaps of the current block: in the upper half of a long the circle, in the lower half
@@ -51,15 +48,15 @@ public final class Warnings {
     obstacles = ObstacleTable.of(scene);
   }
 
-  public static List<String> of(SceneData scene) {
+  public static List<Overlap> of(SceneData scene) {
     Warnings warnings = new Warnings(scene);
     int count = scene.circleCount();
     int to = 0;
-    for (int from = 0; from < count && warnings.texts.size() < MOST_WARNINGS; from = to) {
+    for (int from = 0; from < count && warnings.overlaps.size() < MOST_WARNINGS; from = to) {
       to = Math.min(count, from + Math.max(FIRST_BLOCK, from));
       warnings.look(from, to);
     }
-    return Collections.unmodifiableList(warnings.texts);
+    return Collections.unmodifiableList(warnings.overlaps);
   }
 
   private void look(int from, int to) {
@@ -77,8 +74,8 @@ public final class Warnings {
       lookAtCircle(j, tree);
     }
     long[] sorted = found.build().sorted().toArray();
-    for (int k = 0; k < sorted.length && texts.size() < MOST_WARNINGS; k++) {
-      texts.add(text(scene, (int) (sorted[k] >>> Integer.SIZE), (int) sorted[k]));
+    for (int k = 0; k < sorted.length && overlaps.size() < MOST_WARNINGS; k++) {
+      overlaps.add(overlap(scene, (int) (sorted[k] >>> Integer.SIZE), (int) sorted[k]));
     }
   }
 
@@ -172,49 +169,36 @@ public final class Warnings {
         || Math.min(scene.registry.mass(i), scene.registry.mass(j)) == Double.POSITIVE_INFINITY;
   }
 
-  /** The warning about a circle and a thing that it overlaps. */
-  static String text(SceneData scene, int i, int code) {
-    double r = scene.radius(i);
+  /**
+   * A circle that overlaps the thing with a code, whose distance from it is below the least one.
+   */
+  public record Overlap(int circle, int code, double distance, double least) {}
+
+  /**
+   * The overlap of a circle and a thing. A distance that rounding raised to the least one, or
+   * beyond, is given as the double below it.
+   */
+  static Overlap overlap(SceneData scene, int i, int code) {
+    double least = scene.radius(i);
+    double distance;
     if (Codes.isWall(code)) {
-      String wall = "the " + WALLS.get(code) + " wall";
-      return text(i, wall, distanceFromWall(scene, i, code), r, "its radius");
-    }
-    if (!Codes.isCircle(code)) {
+      distance = distanceFromWall(scene, i, code);
+    } else if (Codes.isCircle(code)) {
+      int j = Codes.slot(code);
+      distance = StrictMath.hypot(scene.x(i) - scene.x(j), scene.y(i) - scene.y(j));
+      least += scene.radius(j);
+    } else {
       ObstacleRows rows = scene.obstacles.of(code);
       int k = rows.offset(code);
-      double distance = rows.shape.distanceFromSpine(rows.values, k, scene.x(i), scene.y(i));
-      String name = KindNumber.nameOf(Codes.kind(code), Codes.index(code));
-      double least = r + rows.shape.radius(rows.values, k);
-      return text(
-          i, name, distance, least, rows.shape.hasRadius ? "the sum of both radii" : "its radius");
+      distance = rows.shape.distanceFromSpine(rows.values, k, scene.x(i), scene.y(i));
+      least += rows.shape.radius(rows.values, k);
     }
-    int j = Codes.slot(code);
-    double distance = distance(scene, i, scene.x(j), scene.y(j));
-    double sum = r + scene.radius(j);
-    return text(i, KindNumber.nameOf(KindNumber.CIRCLE, j), distance, sum, "the sum of both radii");
-  }
-
-  private static double distance(SceneData scene, int i, double x, double y) {
-    return StrictMath.hypot(scene.x(i) - x, scene.y(i) - y);
+    return new Overlap(i, code, Math.min(distance, Math.nextDown(least)), least);
   }
 
   private static double distanceFromWall(SceneData scene, int i, int wall) {
     double p = Codes.isVertical(wall) ? scene.x(i) : scene.y(i);
     boolean isLower = Codes.isLower(wall);
     return isLower ? p - scene.obstacles.walls[wall] : scene.obstacles.walls[wall] - p;
-  }
-
-  /**
-   * A distance that rounding raised to the expected one, or beyond, is shown as the double below
-   * it.
-   */
-  private static String text(int i, String thing, double distance, double least, String what) {
-    return "%s: distance from %s is %s: expected at least %s, %s"
-        .formatted(
-            KindNumber.nameOf(KindNumber.CIRCLE, i),
-            thing,
-            Math.min(distance, Math.nextDown(least)),
-            least,
-            what);
   }
 }

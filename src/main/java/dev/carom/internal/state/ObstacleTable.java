@@ -193,6 +193,11 @@ public final class ObstacleTable {
     return Codes.isWall(code) ? walls != null : !isGone(code);
   }
 
+  /** The number of live obstacles of a {@link KindNumber}. */
+  public int count(int kind) {
+    return kind == KindNumber.WALL ? end(kind) : ofKind(kind).present().count();
+  }
+
   /** One more than the number of the last obstacle of a {@link KindNumber}, gone or not. */
   public int end(int kind) {
     int walled = walls == null ? 0 : Codes.WALLS;

@@ -18,9 +18,9 @@ public final class SceneDataBuilder {
   final DoubleList circles = new DoubleList();
 
   /** The circles without their motion. */
-  final CircleRegistry registry = new CircleRegistry();
+  final CircleRegistry registry;
 
-  ObstacleTable obstacles = ObstacleTable.empty(null);
+  ObstacleTable obstacles;
   public boolean collide;
   double gx;
   double gy;
@@ -30,6 +30,25 @@ public final class SceneDataBuilder {
 
   /** The velocities of the obstacles that move, by their codes. */
   private final SortedMap<Integer, double[]> velocities = new TreeMap<>();
+
+  public SceneDataBuilder() {
+    registry = new CircleRegistry();
+    obstacles = ObstacleTable.empty(null);
+  }
+
+  /** Begins with all that is in a scene. */
+  public SceneDataBuilder(SceneData scene) {
+    circles.add(scene.circles);
+    registry = scene.registry.copy();
+    obstacles = scene.obstacles.copy();
+    collide = scene.collide;
+    gx = scene.gx;
+    gy = scene.gy;
+    obstacles
+        .codes()
+        .filter(obstacles::moves)
+        .forEach(k -> velocities.put(k, new double[] {obstacles.ux(k), obstacles.uy(k)}));
+  }
 
   public void bounds(double xmin, double ymin, double xmax, double ymax) {
     if (obstacles.walls != null) {
@@ -60,6 +79,11 @@ public final class SceneDataBuilder {
     Check.notNegative("radius", radius);
     Check.finite("vx", vx);
     Check.finite("vy", vy);
+  }
+
+  /** The number of things of a {@link KindNumber} so far. */
+  public int count(int kind) {
+    return kind == KindNumber.CIRCLE ? registry.count() : obstacles.end(kind);
   }
 
   // Properties of the thing added last.
@@ -144,8 +168,8 @@ public final class SceneDataBuilder {
   public void velocity(double vx, double vy) {
     if (Codes.isWall(last) || Codes.isCircle(last)) {
       throw new IllegalStateException(
-          "velocity belongs to the line or peg just added: add one first; that of a circle stands in"
-              + " circle(x, y, radius, vx, vy)");
+          "velocity belongs to the line or peg just added: add one first; that of a circle stands"
+              + " in circle(x, y, radius, vx, vy)");
     }
     check(
         last,

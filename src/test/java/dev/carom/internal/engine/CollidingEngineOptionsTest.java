@@ -123,9 +123,9 @@ class CollidingEngineOptionsTest {
   void theOrderOfThingsChangesNoBit(long seed, double gravity) {
     SceneBuilder drawn = CollidingScenes.mixed(new Random(seed), 60).gravity(0, gravity);
     Scene scene = withoutOverlaps(drawn.build());
-    List<Integer> circles = shuffled(scene.circleCount(), new Random(seed));
-    List<Integer> lines = shuffled(scene.lineCount(), new Random(seed));
-    List<Integer> pegs = shuffled(scene.pegCount(), new Random(seed));
+    List<Integer> circles = shuffled(scene.count(Kind.CIRCLE), new Random(seed));
+    List<Integer> lines = shuffled(scene.count(Kind.LINE), new Random(seed));
+    List<Integer> pegs = shuffled(scene.count(Kind.PEG), new Random(seed));
     Run run = Run.advance(new World(scene), 60);
     Run other = Run.advance(new World(SceneParts.of(scene, circles, lines, pegs)), 60);
 
@@ -188,8 +188,11 @@ class CollidingEngineOptionsTest {
     }
     return SceneParts.of(
         scene,
-        IntStream.range(0, scene.circleCount()).filter(i -> !early.contains(i)).boxed().toList(),
-        IntStream.range(0, scene.lineCount()).boxed().toList(),
-        IntStream.range(0, scene.pegCount()).boxed().toList());
+        IntStream.range(0, scene.count(Kind.CIRCLE))
+            .filter(i -> !early.contains(i))
+            .boxed()
+            .toList(),
+        IntStream.range(0, scene.count(Kind.LINE)).boxed().toList(),
+        IntStream.range(0, scene.count(Kind.PEG)).boxed().toList());
   }
 }

@@ -5,6 +5,7 @@ import static org.assertj.core.api.Assertions.assertThat;
 
 import dev.carom.Circle;
 import dev.carom.Internals;
+import dev.carom.Kind;
 import dev.carom.Line;
 import dev.carom.Scene;
 import dev.carom.SceneBuilder;
@@ -107,13 +108,18 @@ class DuePrefetcherTest {
 
   private static Scene part(Scene scene, int from, int to) {
     SceneBuilder builder = Scene.builder().bounds(0, 0, SIDE, SIDE).peg(SIDE / 2, SIDE / 2, 3);
-    for (int i = 0; i < scene.lineCount(); i++) {
-      Line line = scene.line(i);
+    for (int i = 0; i < scene.count(Kind.LINE); i++) {
+      Line line = (Line) scene.shape(Kind.LINE, i);
       builder.line(line.ax(), line.ay(), line.bx(), line.by());
     }
     for (int i = from; i < to; i++) {
-      Circle c = scene.circle(i);
-      builder.circle(c.x(), c.y(), c.radius(), scene.velocity(i).x(), scene.velocity(i).y());
+      Circle c = (Circle) scene.shape(Kind.CIRCLE, i);
+      builder.circle(
+          c.x(),
+          c.y(),
+          c.radius(),
+          scene.velocity(Kind.CIRCLE, i).x(),
+          scene.velocity(Kind.CIRCLE, i).y());
     }
     return builder.build();
   }

@@ -3,6 +3,7 @@ package dev.carom.internal.engine;
 
 import static org.assertj.core.api.Assertions.assertThat;
 
+import dev.carom.Circle;
 import dev.carom.CollidingScenes;
 import dev.carom.Filter;
 import dev.carom.Internals;
@@ -67,7 +68,7 @@ class FarCirclesTest {
       assertThat(each.y(2)).isEqualTo(4 * 100 - 1e9);
     }
     world.remove(Kind.CIRCLE, 1);
-    world.setRadius(2, 100);
+    world.setShape(Kind.CIRCLE, 2, new Circle(world.x(2), world.y(2), 100));
     assertArrivesAtOnce(world, 101);
   }
 

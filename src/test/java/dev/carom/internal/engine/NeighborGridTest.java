@@ -6,6 +6,7 @@ import static org.assertj.core.api.Assertions.assertThat;
 import dev.carom.Circle;
 import dev.carom.CollidingScenes;
 import dev.carom.Internals;
+import dev.carom.Kind;
 import dev.carom.Scene;
 import dev.carom.SceneBuilder;
 import dev.carom.internal.queue.CalendarQueue;
@@ -27,7 +28,7 @@ import org.junit.jupiter.params.provider.ValueSource;
 class NeighborGridTest {
 
   private static CircleTable circles(Scene scene) {
-    CircleTable circles = CircleTable.colliding(scene.circleCount());
+    CircleTable circles = CircleTable.colliding(scene.count(Kind.CIRCLE));
     for (int i = 0; i < circles.count; i++) {
       circles.start(Internals.data(scene), i);
       circles.put(i, circles.body);
@@ -76,7 +77,9 @@ class NeighborGridTest {
         Set<Integer> visited = new HashSet<>(Arrays.stream(found, 0, size).boxed().toList());
         assertThat(visited).as("each once").hasSize(size);
         for (int j = 0; j < circles.count; j++) {
-          if (j != i && touch(scene.circle(i), scene.circle(j))) {
+          if (j != i
+              && touch(
+                  (Circle) scene.shape(Kind.CIRCLE, i), (Circle) scene.shape(Kind.CIRCLE, j))) {
             assertThat(visited).contains(j);
             touching++;
           }

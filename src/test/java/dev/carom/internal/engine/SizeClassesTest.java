@@ -4,6 +4,7 @@ package dev.carom.internal.engine;
 import static org.assertj.core.api.Assertions.assertThat;
 
 import dev.carom.Internals;
+import dev.carom.Kind;
 import dev.carom.Scene;
 import dev.carom.SceneBuilder;
 import dev.carom.internal.state.BoundingBox;
@@ -23,7 +24,7 @@ class SizeClassesTest {
       builder.circle(0, 0, radius, 0, 0);
     }
     Scene scene = builder.build();
-    CircleTable circles = new CircleTable(scene.circleCount());
+    CircleTable circles = new CircleTable(scene.count(Kind.CIRCLE));
     for (int i = 0; i < circles.count; i++) {
       circles.start(Internals.data(scene), i);
       circles.storeAndSetDue(i);

@@ -97,7 +97,7 @@ class TurnoverTest {
       world.step(dt);
       beside.step(dt);
       assertThat(Run.rows(world.impacts())).isEqualTo(Run.rows(beside.impacts()));
-      assertThat(world.ids(CIRCLE)).isEqualTo(beside.ids(CIRCLE)).hasSize(world.circleCount());
+      assertThat(world.ids(CIRCLE)).isEqualTo(beside.ids(CIRCLE)).hasSize(world.count(Kind.CIRCLE));
       compareQuestions();
       if (i % 20 == 0) {
         assertThat(world.snapshot()).isEqualTo(beside.snapshot());

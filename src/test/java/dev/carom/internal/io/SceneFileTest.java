@@ -208,7 +208,7 @@ class SceneFileTest {
   void readingAFileDoesNotMindCommentsInAnotherEncoding(@TempDir Path folder) throws IOException {
     Path file = folder.resolve("latin-1.csv");
     Files.writeString(file, "# caf\u00e9\npeg,1,2,3\n", StandardCharsets.ISO_8859_1);
-    assertThat(Scene.read(file).pegCount()).isEqualTo(1);
+    assertThat(Scene.read(file).count(Kind.PEG)).isEqualTo(1);
   }
 
   @Test

@@ -11,6 +11,7 @@ import dev.carom.Line;
 import dev.carom.Response;
 import dev.carom.Scene;
 import dev.carom.SceneBuilder;
+import dev.carom.Warning;
 import dev.carom.internal.exact.Predicates;
 import dev.carom.internal.search.ObstacleIndex;
 import dev.carom.internal.state.Codes;
@@ -36,7 +37,11 @@ class WarningsTest {
   }
 
   private static List<String> of(SceneBuilder scene) {
-    return scene.build().warnings();
+    return texts(scene.build());
+  }
+
+  private static List<String> texts(Scene scene) {
+    return scene.warnings().stream().map(Warning::toString).toList();
   }
 
   @Test
@@ -172,7 +177,7 @@ class WarningsTest {
     for (int i = 0; i < 30; i++) {
       Scene scene = scene(random, seed % 2 == 0);
       List<String> expected = ofEachPair(scene);
-      assertThat(scene.warnings()).isEqualTo(expected);
+      assertThat(texts(scene)).isEqualTo(expected);
       all += expected.size();
     }
     assertThat(all).isGreaterThan(100);
@@ -210,13 +215,17 @@ class WarningsTest {
     return (random.nextInt(100) == 0 ? 1e6 * place : place) * unit;
   }
 
+  private static String text(Scene scene, int i, int code) {
+    return Internals.warning(Warnings.overlap(Internals.data(scene), i, code)).toString();
+  }
+
   /** The rule in its own words, without an index. */
   private static List<String> ofEachPair(Scene scene) {
     List<String> warnings = new ArrayList<>();
     ObstacleTable obstacles = ObstacleTable.of(Internals.data(scene));
     Proximity proximity = new Proximity(new ObstacleIndex(obstacles), () -> 0);
-    for (int i = 0; i < scene.circleCount(); i++) {
-      Circle circle = scene.circle(i);
+    for (int i = 0; i < scene.count(Kind.CIRCLE); i++) {
+      Circle circle = (Circle) scene.shape(Kind.CIRCLE, i);
       for (int code :
           proximity.overlapping(
               KindNumber.WALL,
@@ -232,16 +241,16 @@ class WarningsTest {
                   > 0;
         }
         if (isLeft) {
-          warnings.add(Warnings.text(Internals.data(scene), i, code));
+          warnings.add(text(scene, i, code));
         }
       }
-      for (int j = i + 1; j < scene.circleCount() && scene.collide(); j++) {
+      for (int j = i + 1; j < scene.count(Kind.CIRCLE) && scene.collide(); j++) {
         boolean sensor =
             scene.traits(Kind.CIRCLE, i).response() == Response.SENSOR
                 || scene.traits(Kind.CIRCLE, j).response() == Response.SENSOR;
-        Circle o = scene.circle(j);
+        Circle o = (Circle) scene.shape(Kind.CIRCLE, j);
         if (!sensor && circle.overlaps(o)) {
-          warnings.add(Warnings.text(Internals.data(scene), i, Codes.circle(j)));
+          warnings.add(text(scene, i, Codes.circle(j)));
         }
       }
     }
@@ -280,7 +289,7 @@ class WarningsTest {
       scene.line(x - reach, y + shift - rise, x + reach, y + shift + rise);
     }
     Scene built = scene.circle(1e9, 5, 1, 0, 0).circle(-3, -1e9, 1000, 0, 0).build();
-    List<String> warnings = Assertions.assertTimeout(Duration.ofSeconds(60), built::warnings);
+    List<Warning> warnings = Assertions.assertTimeout(Duration.ofSeconds(60), built::warnings);
     assertThat(warnings).hasSize(103);
   }
 }

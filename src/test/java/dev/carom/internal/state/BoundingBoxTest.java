@@ -4,6 +4,7 @@ package dev.carom.internal.state;
 import static org.assertj.core.api.Assertions.assertThat;
 
 import dev.carom.Internals;
+import dev.carom.Kind;
 import dev.carom.Scene;
 import dev.carom.SceneBuilder;
 import org.junit.jupiter.api.Test;
@@ -11,7 +12,7 @@ import org.junit.jupiter.api.Test;
 class BoundingBoxTest {
 
   private static BoundingBox of(Scene scene, CircleRegistry registry, double now) {
-    CircleTable circles = new CircleTable(scene.circleCount());
+    CircleTable circles = new CircleTable(scene.count(Kind.CIRCLE));
     for (int i = 0; i < circles.count; i++) {
       circles.start(Internals.data(scene), i);
       circles.storeAndSetDue(i);

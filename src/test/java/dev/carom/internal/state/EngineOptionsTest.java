@@ -5,6 +5,7 @@ import static org.assertj.core.api.Assertions.assertThat;
 
 import dev.carom.Circle;
 import dev.carom.Internals;
+import dev.carom.Kind;
 import dev.carom.Line;
 import dev.carom.RandomScenes;
 import dev.carom.Run;
@@ -88,13 +89,13 @@ class EngineOptionsTest {
   void inAnyUnitOfTime(int exponent) {
     Scene scene = RandomScenes.mixed(new Random(7)).build();
     SceneBuilder builder = Scene.builder().bounds(0, 0, 800, 600);
-    for (int i = 0; i < scene.lineCount(); i++) {
-      Line l = scene.line(i);
+    for (int i = 0; i < scene.count(Kind.LINE); i++) {
+      Line l = (Line) scene.shape(Kind.LINE, i);
       builder.line(l.ax(), l.ay(), l.bx(), l.by());
     }
-    for (int i = 0; i < scene.circleCount(); i++) {
-      Circle c = scene.circle(i);
-      Vec2 v = scene.velocity(i);
+    for (int i = 0; i < scene.count(Kind.CIRCLE); i++) {
+      Circle c = (Circle) scene.shape(Kind.CIRCLE, i);
+      Vec2 v = scene.velocity(Kind.CIRCLE, i);
       builder.circle(
           c.x(), c.y(), c.radius(), Math.scalb(v.x(), exponent), Math.scalb(v.y(), exponent));
     }
@@ -110,9 +111,9 @@ class EngineOptionsTest {
       Scene scene, List<Integer> lines, List<Integer> pegs, List<Integer> circles) {
 
     static Shuffled of(Scene scene, Random random) {
-      List<Integer> lines = shuffled(scene.lineCount(), random);
-      List<Integer> pegs = shuffled(scene.pegCount(), random);
-      List<Integer> circles = shuffled(scene.circleCount(), random);
+      List<Integer> lines = shuffled(scene.count(Kind.LINE), random);
+      List<Integer> pegs = shuffled(scene.count(Kind.PEG), random);
+      List<Integer> circles = shuffled(scene.count(Kind.CIRCLE), random);
       Scene parts = SceneParts.of(scene, circles, lines, pegs);
       return new Shuffled(parts, lines, pegs, circles);
     }
