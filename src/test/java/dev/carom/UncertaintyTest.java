@@ -23,8 +23,8 @@ class UncertaintyTest {
     return builder.circle(15, 20, 2, 1.3, 2.1).circle(80, 15, 2, -0.7, 2.9);
   }
 
-  /** Steps of 1 until a time, each taken in. */
-  private static void advance(World world, Uncertainty uncertainty, double end) {
+  /** Steps of 1 until a time. */
+  private static void advance(World world, double end) {
     while (world.now() < end) {
       world.step(1);
     }
@@ -52,7 +52,7 @@ class UncertaintyTest {
   void aCircleThatHitNothingIsWrongByTheRoundingOfItsPlace() {
     World world = new World(Scene.builder().circle(15, 20, 2, 1.3, 2.1).build());
     Uncertainty uncertainty = world.uncertainty(1);
-    advance(world, uncertainty, 10);
+    advance(world, 10);
     double rounding = U * (world.x(0) + world.y(0));
     assertThat(uncertainty.bound(0)).isBetween(rounding / 2, 4 * rounding);
     assertThat(uncertainty.lostAt()).isInfinite();
@@ -72,7 +72,7 @@ class UncertaintyTest {
         Scene.builder().bounds(0, 0, 40, 40).peg(22, 20, 10).circle(5, 20, 2, 4, 0).build();
     World world = new World(scene);
     Uncertainty uncertainty = world.uncertainty(1);
-    advance(world, uncertainty, 4000);
+    advance(world, 4000);
     double cosh = 1 + 2 * gap / reach;
     double exponent = Math.log(cosh + Math.sqrt(cosh * cosh - 1)) / (2 * gap / 4);
     assertThat(uncertainty.lyapunovExponent(0)).isCloseTo(exponent, offset(1e-3));
@@ -91,7 +91,7 @@ class UncertaintyTest {
     assertThat(uncertainty.bound(0)).isGreaterThan(1e-6);
     assertThat(uncertainty.lostAt(0)).isBetween(world.now() - 1, world.now());
     double lostAt = uncertainty.lostAt(0);
-    advance(world, uncertainty, world.now() + 1000);
+    advance(world, world.now() + 1000);
     assertThat(uncertainty.lostAt(0)).isEqualTo(lostAt);
     assertThat(uncertainty.lostAt()).isLessThanOrEqualTo(lostAt).isPositive();
     assertThat(uncertainty.bound(0)).isInfinite();
@@ -102,14 +102,14 @@ class UncertaintyTest {
   void anEditIsUnknownUntilRestart() {
     World world = new World(billiard().build());
     Uncertainty uncertainty = world.uncertainty(1);
-    advance(world, uncertainty, 5);
+    advance(world, 5);
     world.setVelocity(0, 1, 2);
     assertThat(uncertainty.bound(0)).isInfinite();
     assertThat(uncertainty.bound(1)).isFinite();
     uncertainty.restart(0);
     assertThat(uncertainty.bound(0)).isLessThan(1e-13);
     world.setPosition(0, 20, 20);
-    advance(world, uncertainty, 60);
+    advance(world, 60);
     assertThat(uncertainty.bound(0)).isInfinite();
     assertThat(uncertainty.lyapunovExponent(0)).isNaN();
   }
@@ -119,7 +119,7 @@ class UncertaintyTest {
     World world = new World(billiard().build());
     Uncertainty uncertainty = world.uncertainty(1);
     int id = world.addCircle(20, 80, 2, 2, 1, Traits.DEFAULT);
-    advance(world, uncertainty, 50);
+    advance(world, 50);
     assertThat(uncertainty.bound(id)).isInfinite();
     assertThat(uncertainty.lostAt(id)).isZero();
     uncertainty.restart(id);
@@ -150,7 +150,7 @@ class UncertaintyTest {
             });
     World often = new World(billiard().build());
     Uncertainty byStep = often.uncertainty(1);
-    advance(often, byStep, 60);
+    advance(often, 60);
     for (Consumer<World> way : ways) {
       World world = new World(billiard().build());
       Uncertainty uncertainty = world.uncertainty(1);
@@ -182,7 +182,7 @@ class UncertaintyTest {
     World world = new World(billiard().build());
     Uncertainty uncertainty = world.uncertainty(1);
     Snapshot start = world.snapshot();
-    advance(world, uncertainty, 60);
+    advance(world, 60);
     world.restore(start);
     assertThat(uncertainty.bound(0)).isInfinite();
   }
@@ -193,7 +193,7 @@ class UncertaintyTest {
     Uncertainty uncertainty = world.uncertainty(1);
     world.setVelocity(Kind.PEG, 0, 0.1, 0);
     assertThat(uncertainty.bound(0)).isInfinite();
-    advance(world, uncertainty, 1);
+    advance(world, 1);
     assertThat(uncertainty.bound(1)).isInfinite();
   }
 
@@ -204,7 +204,7 @@ class UncertaintyTest {
     world.setVelocity(Kind.PEG, 0, 0, 0);
     uncertainty.restart(0);
     assertThat(uncertainty.bound(0)).isFinite();
-    advance(world, uncertainty, 1);
+    advance(world, 1);
     assertThat(uncertainty.bound(0)).isFinite();
   }
 
@@ -231,7 +231,7 @@ class UncertaintyTest {
         Scene.builder().line(-9, 0, 9, 0).response(Response.HALT).circle(0, 5, 2, 0, -1).build();
     World world = new World(scene);
     Uncertainty uncertainty = world.uncertainty(1);
-    advance(world, uncertainty, 20);
+    advance(world, 20);
     assertThat(uncertainty.bound(0)).isInfinite();
     assertThat(uncertainty.lostAt(0)).isEqualTo(3);
   }
@@ -242,8 +242,8 @@ class UncertaintyTest {
     World sensed = new World(billiard().line(0, 0, 100, 100).response(Response.SENSOR).build());
     Uncertainty uncertainty = world.uncertainty(1);
     Uncertainty ofSensed = sensed.uncertainty(1);
-    advance(world, uncertainty, 60);
-    advance(sensed, ofSensed, 60);
+    advance(world, 60);
+    advance(sensed, 60);
     assertThat(ofSensed.bound(0)).isEqualTo(uncertainty.bound(0));
   }
 
@@ -260,7 +260,7 @@ class UncertaintyTest {
     Scene scene = setup.circle(50, reach + height, 2, 0, 0).gravity(0, -0.25).build();
     World world = new World(scene);
     Uncertainty uncertainty = world.uncertainty(1);
-    advance(world, uncertainty, 4000);
+    advance(world, 4000);
     double cosh = 1 + 4 * height / reach;
     double period = 2 * Math.sqrt(2 * height / 0.25);
     double exponent = Math.log(cosh + Math.sqrt(cosh * cosh - 1)) / period;
@@ -305,16 +305,16 @@ class UncertaintyTest {
     Scene scene = setup.circle(50, 12, 2, 1, 0).gravity(0, -1).build();
     World world = new World(scene);
     Uncertainty uncertainty = world.uncertainty(1);
-    advance(world, uncertainty, 5);
+    advance(world, 5);
     assertThat(uncertainty.bound(0)).isFinite();
-    advance(world, uncertainty, 20);
+    advance(world, 20);
     assertThat(uncertainty.bound(0)).isInfinite();
     uncertainty.restart(0);
     assertThat(uncertainty.bound(0)).as("it rolls on the floor").isInfinite();
     assertThat(uncertainty.lostAt(0)).isEqualTo(20);
     world.setPosition(0, 50, 50);
     uncertainty.restart(0);
-    advance(world, uncertainty, 22);
+    advance(world, 22);
     assertThat(uncertainty.bound(0)).isBetween(U, 1e-11);
   }
 
@@ -346,17 +346,17 @@ class UncertaintyTest {
   void anotherGravityIsUnknownUntilRestart() {
     World world = new World(plinko(0));
     Uncertainty uncertainty = world.uncertainty(1);
-    advance(world, uncertainty, 5);
+    advance(world, 5);
     world.setGravity(0, -0.25);
     assertThat(uncertainty.bound(0)).isInfinite();
     uncertainty.restart(0);
-    advance(world, uncertainty, 10);
+    advance(world, 10);
     assertThat(uncertainty.bound(0)).isBetween(U, 1e-10);
     world.setGravity(0, 0);
     world.step(5);
     assertThat(uncertainty.bound(0)).isInfinite();
     uncertainty.restart(0);
-    advance(world, uncertainty, 16);
+    advance(world, 16);
     assertThat(uncertainty.bound(0)).as("straight").isBetween(U, 1e-10);
   }
 
@@ -367,7 +367,7 @@ class UncertaintyTest {
     Scene scene = setup.build();
     World world = new World(scene);
     Uncertainty uncertainty = world.uncertainty(1);
-    advance(world, uncertainty, 60);
+    advance(world, 60);
     assertThat(world.y(0)).isEqualTo(60);
     assertThat(uncertainty.bound(0)).isBetween(U, 1000 * U);
     assertThat(uncertainty.bound(1)).isBetween(U, 1e-9);
@@ -380,7 +380,7 @@ class UncertaintyTest {
     Scene scene = setup.peg(9.3, 30.1, 10).circle(0, -80, 2, 0, 1.7).build();
     World world = new World(scene);
     Uncertainty uncertainty = world.uncertainty(1);
-    advance(world, uncertainty, 100);
+    advance(world, 100);
     assertThat(uncertainty.bound(0)).isInfinite();
   }
 }
