@@ -33,8 +33,16 @@ abstract class CellWalk extends FirstImpact {
   /** Whether any obstacle moves, or moved before. */
   boolean moving;
 
+  /** The path that the circle takes. */
+  final FallPath path = new FallPath();
+
   /** The rows of the lines, by their codes. */
   double[] lines;
+
+  /** The way in a unit of time. */
+  private double wayX;
+
+  private double wayY;
 
   /** |vx| + |vy|: computed sooner than |v| or the larger of the two. */
   double manhattanSpeed;
@@ -83,7 +91,11 @@ abstract class CellWalk extends FirstImpact {
   abstract double search(Grid grid, double needed);
 
   /** Finds the moving obstacles that the path may meet between two times in a window. */
-  abstract void findMoving(MotionWindow window, double from, double end);
+  final void findMoving(MotionWindow window, double from, double end) {
+    path.start(body);
+    path.takeChordAndBox(from, end);
+    window.find(obstacles, path.left, path.bottom, path.right, path.top);
+  }
 
   /**
    * Considers number i of the obstacles that move, up to a time or to its arrival. For a flight
@@ -139,10 +151,12 @@ abstract class CellWalk extends FirstImpact {
   // The walk.
 
   /** Takes the way in a unit of time, whose Manhattan length counts as not less than its own. */
-  final void head(double absX, double absY, double length) {
+  final void head(double toX, double toY, double length) {
+    wayX = toX;
+    wayY = toY;
     manhattanSpeed = length;
-    perVx = 1 / fma(length, DRIFT, absX);
-    perVy = 1 / fma(length, DRIFT, absY);
+    perVx = 1 / fma(length, DRIFT, Math.abs(toX));
+    perVy = 1 / fma(length, DRIFT, Math.abs(toY));
   }
 
   /** The ticks of that way. */
@@ -151,8 +165,8 @@ abstract class CellWalk extends FirstImpact {
   }
 
   /**
-   * Visits the cells along a line. It ends when the best impact or a given time lies in a visited
-   * cell, after so many ticks, or where the grid ends.
+   * Visits the cells along the way taken. It ends when the best impact or a given time lies in a
+   * visited cell, after so many ticks, or where the grid ends.
    *
    * <p>Times are whole ticks. So a mask, and not an unpredictable branch, chooses between the next
    * column and the next row. A path of 2^14 cells is rounded to ticks as often: by less than 2^-15
@@ -160,34 +174,25 @@ abstract class CellWalk extends FirstImpact {
    *
    * @param x where it starts, in columns of the grid
    * @param y the same in rows
-   * @param vx the direction
    * @param start the time at which it is there
    * @param rate the ticks in a unit of time
    * @param ahead the path need not be known beyond this time
    * @return the time until which the path is known
    */
   final double walk(
-      Grid grid,
-      double x,
-      double y,
-      double vx,
-      double vy,
-      double start,
-      double rate,
-      double mostTicks,
-      double ahead) {
+      Grid grid, double x, double y, double start, double rate, double mostTicks, double ahead) {
     int column = grid.column(x);
     int row = grid.row(y);
     double ticks = manhattanSpeed * TICKS;
     // Ticks until the next column and the next row, and ticks from each to the one after it.
     double columnTicks = ticks * perVx;
     double rowTicks = ticks * perVy;
-    long nextX = (long) (Grid.toEdge(x - column, vx) * columnTicks);
-    long nextY = (long) (Grid.toEdge(y - row, vy) * rowTicks);
+    long nextX = (long) (Grid.toEdge(x - column, wayX) * columnTicks);
+    long nextY = (long) (Grid.toEdge(y - row, wayY) * rowTicks);
     long perX = (long) columnTicks;
     long perY = (long) rowTicks;
-    int nextRow = UnitVectors.sign(vy) * grid.stride;
-    int nextColumn = UnitVectors.sign(vx) - nextRow;
+    int nextRow = UnitVectors.sign(wayY) * grid.stride;
+    int nextColumn = UnitVectors.sign(wayX) - nextRow;
     int cell = grid.number(column, row);
     long[] lists = grid.lists;
     double most = Math.min((ahead - start) * rate, mostTicks);

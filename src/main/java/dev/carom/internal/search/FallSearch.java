@@ -29,8 +29,6 @@ final class FallSearch extends FallTimes {
   /** {@link MovingCircle#lookahead} counts halves of cells; a fall searches whole ones. */
   private static final int HALVES = 2;
 
-  private final FallPath path = new FallPath();
-
   /** The circle does not return to what it hit last before this time; 0 if that is not known. */
   private double returns;
 
@@ -138,7 +136,7 @@ final class FallSearch extends FallTimes {
     crossOfOrigin = path.bandY * path.alongX - path.bandX * path.alongY;
     clear = 2 * UnitVectors.lengthBound(absX, absY) * path.reach + Double.MIN_NORMAL;
     double length = absX + absY + LEAST_LENGTH * grid.cell;
-    head(absX, absY, length);
+    head(path.alongX, path.alongY, length);
     double ticks = ticks(grid);
     pieceStart = from;
     pieceEnd = from + duration;
@@ -146,7 +144,7 @@ final class FallSearch extends FallTimes {
     visited += length * grid.perCell;
     double x = grid.columns(path.bandX);
     double y = grid.rows(path.bandY);
-    return walk(grid, x, y, path.alongX, path.alongY, from, ticks / duration, NEVER, pieceEnd);
+    return walk(grid, x, y, from, ticks / duration, NEVER, pieceEnd);
   }
 
   @Override
@@ -157,12 +155,6 @@ final class FallSearch extends FallTimes {
   }
 
   // Moving obstacles.
-
-  @Override
-  void findMoving(MotionWindow window, double from, double end) {
-    path.takeChordAndBox(from, end);
-    window.find(obstacles, path.left, path.bottom, path.right, path.top);
-  }
 
   @Override
   void considerMotion(int i, double end) {

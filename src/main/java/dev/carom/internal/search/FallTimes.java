@@ -1,17 +1,14 @@
 // SPDX-License-Identifier: Apache-2.0
 package dev.carom.internal.search;
 
+import dev.carom.internal.exact.Gaps;
 import dev.carom.internal.state.CodeSet;
 import dev.carom.internal.state.Codes;
 import dev.carom.internal.state.MovingCircle;
-import dev.carom.internal.state.ObstacleMotions;
-import dev.carom.internal.state.ObstacleRows;
 import dev.carom.internal.state.ObstacleTable;
 import dev.carom.internal.sweep.Contact;
-import dev.carom.internal.sweep.Fall;
 import dev.carom.internal.sweep.FallReturn;
 import dev.carom.internal.sweep.FallSweep;
-import dev.carom.internal.sweep.ObstacleShape;
 import dev.carom.internal.sweep.ParabolaWallSweep;
 
 /**
@@ -30,9 +27,6 @@ abstract class FallTimes extends CellWalk {
   /** Far more than the rounding of a time of return. */
   private static final double EARLIER = 1 - 0x1p-20;
 
-  /** The questions to the detector: the flight and the obstacle chosen. */
-  private final Fall fall = new Fall();
-
   /** The time near which a hit is expected, which saves work; infinite or NaN for none. */
   private double about;
 
@@ -44,29 +38,6 @@ abstract class FallTimes extends CellWalk {
   void start(MovingCircle m) {
     super.start(m);
     fall.flight(px, py, r, vx, vy, m.gx, m.gy);
-  }
-
-  /** Chooses an obstacle at rest, other than a wall. */
-  final void choose(int code) {
-    ObstacleRows rows = obstacles.of(code);
-    fall.obstacle(rows.shape, rows.values, rows.offset(code), 0, 0);
-  }
-
-  /** Chooses number i of the obstacles that move. */
-  final void chooseMoving(int i) {
-    ObstacleMotions motions = obstacles.motions();
-    obstacles.place(i, body.t, body.tl, placed);
-    ObstacleShape shape = obstacles.of(motions.code(i)).shape;
-    fall.obstacle(shape, placed, 0, motions.ux(i), motions.uy(i));
-  }
-
-  private void chooseAny(int code) {
-    int moving = obstacles.motions().indexOf(code);
-    if (moving < 0) {
-      choose(code);
-    } else {
-      chooseMoving(moving);
-    }
   }
 
   /** Whether the obstacle was removed: a list may still name it. */
@@ -115,18 +86,9 @@ abstract class FallTimes extends CellWalk {
 
   /** The time at which a circle that flew off an end of a line hits that or the other end. */
   private double timeAtEnds(double to) {
-    double ax = fall.ax;
-    double ay = fall.ay;
-    double bx = fall.bx;
-    double by = fall.by;
-    double ux = fall.ux;
-    double uy = fall.uy;
     boolean isAtStart = isNearerToStart();
-    fall.disk(isAtStart ? ax : bx, isAtStart ? ay : by, 0, ux, uy);
-    double back = FallReturn.time(fall, to);
-    fall.disk(isAtStart ? bx : ax, isAtStart ? by : ay, 0, ux, uy);
-    double other = FallSweep.time(fall, to);
-    fall.line(ax, ay, bx, by, ux, uy);
+    double back = FallReturn.time(fall.end(isAtStart ? Gaps.BEFORE : Gaps.BEYOND), to);
+    double other = FallSweep.time(fall.end(isAtStart ? Gaps.BEYOND : Gaps.BEFORE), to);
     return Math.min(back, other);
   }
 

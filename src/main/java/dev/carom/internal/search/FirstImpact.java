@@ -4,7 +4,11 @@ package dev.carom.internal.search;
 import dev.carom.internal.state.FilterBits;
 import dev.carom.internal.state.IgnoreList;
 import dev.carom.internal.state.MovingCircle;
+import dev.carom.internal.state.ObstacleMotions;
+import dev.carom.internal.state.ObstacleRows;
 import dev.carom.internal.state.ObstacleTable;
+import dev.carom.internal.sweep.Fall;
+import dev.carom.internal.sweep.ObstacleShape;
 
 /**
  * The earliest impact that a search has found on a flight, and the rules that decide between
@@ -25,8 +29,11 @@ abstract class FirstImpact {
 
   final ObstacleTable obstacles;
 
+  /** The question to the detector: the flight and the obstacle chosen. */
+  final Fall fall = new Fall();
+
   /** Where a moving obstacle was at the start of the flight. */
-  final double[] placed = new double[ObstacleTable.MOST_NUMBERS + 1];
+  private final double[] placed = new double[ObstacleTable.MOST_NUMBERS + 1];
 
   /** Whether sensors are ignored: casts and traces do so. */
   boolean passesSensors;
@@ -99,6 +106,30 @@ abstract class FirstImpact {
     latest = NEVER;
     bestCode = MovingCircle.NOTHING;
     bestContact = 0;
+  }
+
+  /** Chooses an obstacle at rest, other than a wall. */
+  final void choose(int code) {
+    ObstacleRows rows = obstacles.of(code);
+    fall.obstacle(rows.shape, rows.values, rows.offset(code), 0, 0);
+  }
+
+  /** Chooses number i of the obstacles that move. */
+  final void chooseMoving(int i) {
+    ObstacleMotions motions = obstacles.motions();
+    obstacles.place(i, body.t, body.tl, placed);
+    ObstacleShape shape = obstacles.of(motions.code(i)).shape;
+    fall.obstacle(shape, placed, 0, motions.ux(i), motions.uy(i));
+  }
+
+  /** Chooses an obstacle of either kind. */
+  final void chooseAny(int code) {
+    int moving = obstacles.motions().indexOf(code);
+    if (moving < 0) {
+      choose(code);
+    } else {
+      chooseMoving(moving);
+    }
   }
 
   /** Whether the flight passes an obstacle, whatever its place. */

@@ -7,13 +7,10 @@ import dev.carom.internal.exact.ExactTime;
 import dev.carom.internal.state.CodeSet;
 import dev.carom.internal.state.Codes;
 import dev.carom.internal.state.MovingCircle;
-import dev.carom.internal.state.ObstacleRows;
 import dev.carom.internal.state.ObstacleTable;
 import dev.carom.internal.sweep.Contact;
-import dev.carom.internal.sweep.Fall;
 import dev.carom.internal.sweep.FallSweep;
 import dev.carom.internal.sweep.LineShape;
-import dev.carom.internal.sweep.ObstacleShape;
 import dev.carom.internal.sweep.PointSweep;
 import dev.carom.internal.sweep.SegmentFilter;
 import dev.carom.internal.sweep.SideSweep;
@@ -35,12 +32,6 @@ final class StraightSearch extends CellWalk {
 
   /** No overflow up to this: a sum of two cross products is at most 8 times as large. */
   private static final double MOST_SAFE = 0x1p1020;
-
-  /** In proportion to the coordinates: far more than the rounding of a place. */
-  private static final double ROUNDING = 0x1p-40;
-
-  /** The questions that the filter leaves open, and those about pegs and moving obstacles. */
-  private final Fall question = new Fall();
 
   /** The middle of the bounds, and its distances from the walls. */
   private final double middleX;
@@ -165,14 +156,14 @@ final class StraightSearch extends CellWalk {
     double rate = ticks(grid);
     // Two ticks beyond: one may be lost where times are cut to ticks.
     double most = Math.max((needed - start) * rate, halvesOfCells * (TICKS / 2)) + 2;
-    return walk(grid, x, y, vx, vy, start, rate, most, ahead);
+    return walk(grid, x, y, start, rate, most, ahead);
   }
 
   /** Computes the error bounds of the flight from its speed and size. */
   private void measure() {
     double absVx = Math.abs(vx);
     double absVy = Math.abs(vy);
-    head(absVx, absVy, absVx + absVy);
+    head(vx, vy, absVx + absVy);
     double length = UnitVectors.lengthBound(absVx, absVy);
     // cross(a - p, v) errs by at most 4 u of the terms of cross(p, v), 3 u of |ax vy| and 2 u of
     // |ay vx|, u = 2^-53: by 4 u |v| times the size below, as 3^2 + 2^2 < 4^2. Sum and difference
@@ -229,24 +220,26 @@ final class StraightSearch extends CellWalk {
 
   @Override
   void considerOnly(int code) {
-    ObstacleRows rows = obstacles.of(code);
-    int k = rows.offset(code);
-    boolean isGone = Double.isNaN(rows.values[k]);
-    if (code != bestCode && !isGone && !isAtRest() && !ignores(code)) {
-      ask(code, rows.shape, rows.values, k, 0, 0, NEVER);
+    if (code != bestCode && !obstacles.isGone(code) && !isAtRest() && !ignores(code)) {
+      fly();
+      choose(code);
+      ask(code, NEVER);
     }
   }
 
-  /** Asks for an impact up to the rounding of a time. */
-  private void ask(
-      int code, ObstacleShape shape, double[] values, int k, double ux, double uy, double end) {
-    question.flight(px, py, r, vx, vy, 0, 0).obstacle(shape, values, k, ux, uy);
-    if (special && obstacles.isOneWay(code) && !OneWay.stops(question)) {
+  /** Sets the flight of the questions to the detector; most flights need none. */
+  private void fly() {
+    fall.flight(px, py, r, vx, vy, 0, 0);
+  }
+
+  /** Asks for an impact with the obstacle chosen, up to the rounding of a time. */
+  private void ask(int code, double end) {
+    if (special && obstacles.isOneWay(code) && !OneWay.stops(fall)) {
       return;
     }
-    int contact = FallSweep.straightContact(question);
+    int contact = FallSweep.straightContact(fall);
     if (contact != Contact.MISS) {
-      offer(FallSweep.straightTime(question, contact, Math.nextUp(end)), code, contact);
+      offer(FallSweep.straightTime(fall, contact, Math.nextUp(end)), code, contact);
     }
   }
 
@@ -335,31 +328,13 @@ final class StraightSearch extends CellWalk {
   // Moving obstacles.
 
   @Override
-  void findMoving(MotionWindow window, double from, double end) {
-    double fromX = fma(vx, from, px);
-    double fromY = fma(vy, from, py);
-    double toX = fma(vx, end, px);
-    double toY = fma(vy, end, py);
-    double marginX = r + ROUNDING * (Math.abs(fromX) + Math.abs(toX) + r);
-    double marginY = r + ROUNDING * (Math.abs(fromY) + Math.abs(toY) + r);
-    window.find(
-        obstacles,
-        Math.min(fromX, toX) - marginX,
-        Math.min(fromY, toY) - marginY,
-        Math.max(fromX, toX) + marginX,
-        Math.max(fromY, toY) + marginY);
-  }
-
-  @Override
   void considerMotion(int i, double end) {
     int code = obstacles.motions().code(i);
-    if (ignores(code)) {
-      return;
+    if (!ignores(code)) {
+      fly();
+      chooseMoving(i);
+      ask(code, Math.min(end, latest));
     }
-    obstacles.place(i, body.t, body.tl, placed);
-    double ux = obstacles.motions().ux(i);
-    double uy = obstacles.motions().uy(i);
-    ask(code, obstacles.of(code).shape, placed, 0, ux, uy, Math.min(end, latest));
   }
 
   // Exact times.
@@ -380,10 +355,8 @@ final class StraightSearch extends CellWalk {
       boolean vertical = Codes.isVertical(code);
       return WallSweep.exactTime(vertical ? px : py, r, vertical ? vx : vy, obstacles.walls[code]);
     }
-    double[] row = obstacles.rowAt(code, body.t, body.tl);
-    question
-        .flight(px, py, r, vx, vy, 0, 0)
-        .obstacle(obstacles.of(code).shape, row, 0, obstacles.ux(code), obstacles.uy(code));
-    return FallSweep.exactTime(question, contact);
+    fly();
+    chooseAny(code);
+    return FallSweep.exactTime(fall, contact);
   }
 }

@@ -69,6 +69,9 @@ public final class Fall {
   /** Its numbers are used again and again; null before the first question that comes to it. */
   private GapSearch search;
 
+  /** The question about an end; null before the first one. */
+  private Fall end;
+
   /** One for questions that are asked now and then; the next one of this thread sets it anew. */
   public static Fall ofThread() {
     return OF_THREAD.get();
@@ -131,6 +134,15 @@ public final class Fall {
     radius = shape.radius(rows, k);
     isSegment = shape.toEnd > 0;
     return this;
+  }
+
+  /** The same question about one end of the line alone: that in a region of {@link Gaps}. */
+  public Fall end(int region) {
+    if (end == null) {
+      end = new Fall();
+    }
+    boolean isEnd = region == Gaps.BEYOND;
+    return end.flight(px, py, r, vx, vy, gx, gy).disk(isEnd ? bx : ax, isEnd ? by : ay, 0, ux, uy);
   }
 
   /** The second rung. */

@@ -116,21 +116,9 @@ public final class FallReturn {
     if (region == Gaps.BESIDE || region == Gaps.UNKNOWN) {
       return region == Gaps.BESIDE || isAtEnd(f, side, back) ? back : GapRoot.DOUBT;
     }
-    double time = toEnd(f, region, back * (1 - GapRoot.MARGIN), T);
+    double start = back * (1 - GapRoot.MARGIN);
+    double time = FallSweep.searched(f.end(region), GapSearch.FIRST_AFTER, start, T);
     return time > back ? time : GapRoot.DOUBT;
-  }
-
-  /** The time of the first hit on an end of the line after a time of none. */
-  private static double toEnd(Fall f, int region, double start, double T) {
-    double startX = f.ax;
-    double startY = f.ay;
-    double endX = f.bx;
-    double endY = f.by;
-    boolean isStart = region == Gaps.BEFORE;
-    f.disk(isStart ? startX : endX, isStart ? startY : endY, 0, f.ux, f.uy);
-    double time = FallSweep.searched(f, GapSearch.FIRST_AFTER, start, T);
-    f.line(startX, startY, endX, endY, f.ux, f.uy);
-    return time;
   }
 
   /** Whether a disk that is back at its height above a side, at t, is exactly at an end of it. */
