@@ -82,7 +82,7 @@ class NoNullTest {
           sample(ImpactLog.class, () -> world().impacts()),
           sample(Snapshot.class, () -> world().snapshot()),
           sample(Timeline.class, () -> world().record(1)),
-          sample(Uncertainty.class, () -> new Uncertainty(world(), 1)));
+          sample(Uncertainty.class, () -> world().uncertainty(1)));
 
   private static Map.Entry<Class<?>, Supplier<?>> sample(Class<?> type, Supplier<?> value) {
     return Map.entry(type, value);
