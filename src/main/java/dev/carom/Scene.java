@@ -96,7 +96,9 @@ public final class Scene {
    * Starts a scene with all that is in this one, which stays as it is.
    *
    * <pre>{@code
-   * Scene more = scene.toBuilder().circle(20, 20, 5, 0, 0).build();
+   * Scene scene = Scene.builder().peg(60, 30, 5).build();
+   * Scene more = scene.toBuilder().circle(20, 20, 5, 1, 0).build();
+   * System.out.println(more.count(Kind.PEG) + more.count(Kind.CIRCLE)); // 2
    * }</pre>
    *
    * @return a new builder, whose next thing of each kind gets the number {@link #count}
@@ -182,8 +184,10 @@ public final class Scene {
    * Returns a circle or an obstacle as it stands at time 0.
    *
    * <pre>{@code
+   * Scene scene = Scene.builder().peg(20, 30, 5).build();
    * for (int i = 0; i < scene.count(Kind.PEG); i++) {
    *   Circle peg = (Circle) scene.shape(Kind.PEG, i);
+   *   System.out.println(peg.x()); // 20.0
    * }
    * }</pre>
    *

@@ -817,8 +817,10 @@ public final class World {
    * nothing and hits nothing on the way.
    *
    * <pre>{@code
+   * World world = new World(Scene.builder().peg(60, 30, 5).circle(20, 20, 5, 1, 0).build());
    * world.setShape(Kind.PEG, 0, new Circle(80, 20, 5));
    * world.setShape(Kind.CIRCLE, 0, new Circle(world.x(0), world.y(0), 3)); // only the radius
+   * System.out.println(world.peg(0).x() + ", " + world.radius(0)); // 80.0, 3.0
    * }</pre>
    *
    * <p>A circle that overlaps the thing then bounces if the two approach each other, and flies on
