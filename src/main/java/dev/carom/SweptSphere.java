@@ -6,8 +6,8 @@ import dev.carom.internal.sweep.SphereSweep;
 import dev.carom.internal.util.Check;
 
 /**
- * A {@code SweptSphere} is a sphere in space that moves straight on from time 0 on, and the
- * detector in one: it tells when it first touches another one, whether they overlap, and how they
+ * A {@code SweptSphere} is a sphere in space that moves straight on from time 0. It is the
+ * detector, too: it tells when it first touches another one, whether they overlap, and how they
  * part. It needs no world.
  *
  * <pre>{@code

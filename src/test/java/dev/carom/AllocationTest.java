@@ -239,12 +239,19 @@ class AllocationTest {
     };
   }
 
+  /** The shapes are there before: an edit allocates nothing itself. */
   private static Edits move() {
+    Circle[] pegs = new Circle[40];
+    Line[] lines = new Line[40];
+    for (int i = 0; i < 40; i++) {
+      double x = 200 + 400 * (i / 20) + 0.1 * (i % 20);
+      pegs[i] = new Circle(x, 400 + 0.07 * (i % 20), 10);
+      lines[i] = new Line(x - 20, -30, x, -29);
+    }
     return (world, frame) -> {
       for (int id = 0; id < 2; id++) {
-        double x = 200 + 400 * id + 0.1 * (frame % 20);
-        world.setShape(Kind.PEG, id, new Circle(x, 400 + 0.07 * (frame % 20), 10));
-        world.setShape(Kind.LINE, id, new Line(x - 20, -30, x, -29));
+        world.setShape(Kind.PEG, id, pegs[20 * id + frame % 20]);
+        world.setShape(Kind.LINE, id, lines[20 * id + frame % 20]);
       }
     };
   }

@@ -32,7 +32,7 @@ class FallTest {
     world.step(1e10);
     assertThat(world.vy(0)).isEqualTo(-Double.MAX_VALUE);
     assertThat(world.velocity(Kind.CIRCLE, 0)).isEqualTo(new Vec2(0, -Double.MAX_VALUE));
-    world.setShape(Kind.CIRCLE, 0, new Circle(world.x(0), world.y(0), 2));
+    world.setTraits(Kind.CIRCLE, 0, Traits.DEFAULT.withResponse(Response.HALT)); // a new flight
     assertThat(world.y(0)).isEqualTo(Double.NEGATIVE_INFINITY);
     ByteArrayOutputStream out = new ByteArrayOutputStream();
     world.snapshot().write(out);
