@@ -66,7 +66,16 @@ class MovingUnderGravityTest {
     double vx = speed(2);
     double vy = speed(2);
     int id = random.nextInt(LINES);
-    switch (random.nextInt(4)) {
+    switch (random.nextInt(7)) {
+      case 4, 5, 6 -> {
+        Kind kind = random.nextInt(3) == 0 ? Kind.PEG : Kind.LINE;
+        double x = place();
+        double y = place();
+        double arrival = world.now() + 30 * random.nextDouble();
+        world.moveTo(kind, id % PEGS, x, y, arrival);
+        other.moveTo(kind, id % PEGS, x, y, arrival);
+        plain.moveTo(kind, id % PEGS, x, y, arrival);
+      }
       case 0 -> {
         world.setVelocity(id % CIRCLES, vx, vy);
         other.setVelocity(id % CIRCLES, vx, vy);

@@ -173,6 +173,34 @@ abstract class PlainEdits extends PlainSearch {
     appear(code);
   }
 
+  /** Sends a line or a peg to a place. */
+  void moveTo(Kind kind, int id, double x, double y, double arrival) {
+    int code = Codes.of(kind.ordinal(), id);
+    double[] row = obstacles.rowAt(code, now, 0);
+    double ux = (x - row[0]) / (arrival - now);
+    double uy = (y - row[1]) / (arrival - now);
+    if (kind == Kind.LINE) {
+      row[2] = x + (row[2] - row[0]);
+      row[3] = y + (row[3] - row[1]);
+    }
+    row[0] = x;
+    row[1] = y;
+    letFallFrom(code);
+    obstacles.moveTo(code, row, ux, uy, now, arrival);
+    appear(code);
+  }
+
+  /** Stops what arrives now. */
+  final void arrive() {
+    for (int code : obstacles.motions().codes()) {
+      if (obstacles.arrival(code) == now) {
+        letFallFrom(code);
+        obstacles.setVelocity(code, 0, 0, now);
+        appear(code);
+      }
+    }
+  }
+
   void remove(Kind kind, int id) {
     switch (kind) {
       case LINE -> removeObstacle(Codes.line(id));

@@ -69,7 +69,7 @@ abstract class PlainSearch extends PlainState {
           (m.jam == null || !m.jam.concerns(k))
               && meets(m.id, obstacles.filter(k))
               && !isHeldFrom(m, k);
-      double t = there ? next(m, k) : NEVER;
+      double t = there ? untilArrival(m, k, next(m, k)) : NEVER;
       boolean sensor = obstacles.isSensor(k);
       boolean before = t == best && t != NEVER && sensor && !obstacles.isSensor(code);
       if (t < best || before) {
@@ -243,6 +243,12 @@ abstract class PlainSearch extends PlainState {
 
   /** Whether a flight would meet an obstacle, if it never ended. */
   boolean isAhead(MovingCircle m, int code) {
-    return (m.isFalling() ? falls.time(m, code, 0) : sweep(m, code)) < NEVER;
+    return untilArrival(m, code, m.isFalling() ? falls.time(m, code, 0) : sweep(m, code)) < NEVER;
+  }
+
+  /** A time of impact; infinite if the obstacle has arrived before. */
+  private double untilArrival(MovingCircle m, int code, double time) {
+    double arrival = Codes.isWall(code) ? NEVER : obstacles.arrival(code) - m.t - m.tl;
+    return arrival > 0 && time <= arrival ? time : NEVER;
   }
 }

@@ -37,6 +37,16 @@ public final class PlainWorld extends PlainEdits {
   public ImpactLog advance(double end, int most) {
     rows.clear();
     first = NEVER;
+    while (obstacles.nextArrival() < end && log.size() < most) {
+      play(obstacles.nextArrival(), most);
+      arrive();
+    }
+    play(end, most);
+    rows.sort();
+    return log;
+  }
+
+  private void play(double end, int most) {
     if (collide) {
       while (log.size() < most && Math.min(find(bodies), contacts.nextTick()) <= end) {
         if (contacts.nextTick() <= time) {
@@ -59,9 +69,7 @@ public final class PlainWorld extends PlainEdits {
         }
       }
     }
-    rows.sort();
     now = end;
-    return log;
   }
 
   private double tickOf(MovingCircle m) {
