@@ -39,9 +39,20 @@ public final class ObstacleMotions {
   /** Whether another object may use these motions. */
   private boolean isShared;
 
+  /** The earliest end of a motion; infinite if none ends. */
+  private double nextEnd;
+
   private ObstacleMotions(int[] codes, double[] motions) {
     this.codes = codes;
     this.motions = motions;
+    findNextEnd();
+  }
+
+  private void findNextEnd() {
+    nextEnd = NEVER;
+    for (int k = UNTIL; k < codes.length * SIZE; k += SIZE) {
+      nextEnd = Math.min(nextEnd, motions[k]);
+    }
   }
 
   /** The obstacles with these velocities from time 0 on, by their codes. */
@@ -93,6 +104,7 @@ public final class ObstacleMotions {
     }
     System.arraycopy(codes, 0, other.codes, 0, codes.length);
     System.arraycopy(motions, 0, other.motions, 0, motions.length);
+    other.nextEnd = nextEnd;
     return other;
   }
 
@@ -137,18 +149,9 @@ public final class ObstacleMotions {
     return motions[i * SIZE + UNTIL];
   }
 
-  /** Whether motion i ends at a time and place that were given. */
-  public boolean ends(int i) {
-    return until(i) < NEVER;
-  }
-
   /** The earliest end of a motion; infinite if none ends. */
   public double nextEnd() {
-    double next = NEVER;
-    for (int k = UNTIL; k < codes.length * SIZE; k += SIZE) {
-      next = Math.min(next, motions[k]);
-    }
-    return next;
+    return nextEnd;
   }
 
   /** The velocity of a number of the row of obstacle i. */
@@ -201,6 +204,7 @@ public final class ObstacleMotions {
     ObstacleMotions all = indexOf(code) < 0 ? spliced(i, i + 1) : own();
     all.codes[i] = code;
     set(all.motions, i * SIZE, code, ux, uy, since, until);
+    all.findNextEnd();
     return all;
   }
 
@@ -211,6 +215,7 @@ public final class ObstacleMotions {
     }
     ObstacleMotions all = with(code, 0, 0, 0);
     System.arraycopy(its.motions, 0, all.motions, all.indexOf(code) * SIZE, SIZE);
+    all.findNextEnd();
     return all;
   }
 
