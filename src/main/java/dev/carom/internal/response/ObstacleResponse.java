@@ -251,7 +251,7 @@ public final class ObstacleResponse {
 
   /** Writes the impulse {@code -(1 + e) m (s.n) / (n.n) n} into the row of an impact. */
   private void setImpulse(MovingCircle m, double vn, double e, ImpactRows log) {
-    double mass = registry == null ? 1 : registry.mass(m.id);
+    double mass = registry != null && registry.areWeighted() ? registry.mass(m.id) : 1;
     log.setImpulse(-(1 + e) * mass * vn);
   }
 

@@ -30,6 +30,9 @@ public final class CircleRegistry {
   /** The mass of the circle in each slot; NaN once it is removed. */
   private double[] masses;
 
+  /** Whether a circle may have another mass than 1. */
+  private boolean weighted;
+
   /** How many circles have infinite mass. */
   private int infinite;
 
@@ -109,8 +112,10 @@ public final class CircleRegistry {
 
   private void countInfinite() {
     infinite = 0;
+    weighted = false;
     for (int slot = 0; slot < end; slot++) {
       infinite += infinite(slot);
+      weighted |= masses[slot] != 1;
     }
   }
 
@@ -264,6 +269,12 @@ public final class CircleRegistry {
     infinite -= infinite(slot);
     masses[slot] = m;
     infinite += infinite(slot);
+    weighted |= m != 1;
+  }
+
+  /** Whether any circle may have another mass than 1. Else masses need not be loaded. */
+  public boolean areWeighted() {
+    return weighted;
   }
 
   /** Whether any circle has infinite mass. */
