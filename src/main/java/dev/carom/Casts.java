@@ -10,8 +10,8 @@ import java.util.Arrays;
 
 /**
  * {@code Casts} holds many casts and their answers: each is a circle, its velocity, and the first
- * thing that it hits. {@link World#cast(Casts, double) World.cast} and {@link Resolver#cast(Casts,
- * double) Resolver.cast} answer all of them in one call. A circle of radius 0 is a ray.
+ * thing that it hits. {@link Resolver#cast(Casts, double) Resolver.cast} answers all of them in one
+ * call. A circle of radius 0 is a ray.
  *
  * <p>A program makes one such object and uses it again. A call then allocates a few small objects,
  * and nothing per cast. It allocates more when it makes an <a
@@ -161,7 +161,7 @@ public final class Casts {
   void load(int i, MovingCircle m) {
     int k = i * QUESTION;
     m.start(
-        0,
+        Impact.NO_ID,
         questions[k + X],
         questions[k + Y],
         questions[k + RADIUS],

@@ -2,296 +2,157 @@
 package dev.carom;
 
 import dev.carom.internal.exact.Predicates;
-import dev.carom.internal.query.Proximity;
-import dev.carom.internal.query.Region;
-import dev.carom.internal.query.TracedPath;
-import dev.carom.internal.query.Tracer;
 import dev.carom.internal.response.SphereResponse;
-import dev.carom.internal.search.ObstacleIndex;
-import dev.carom.internal.state.Codes;
-import dev.carom.internal.state.FilterBits;
-import dev.carom.internal.state.Gravity;
-import dev.carom.internal.state.MovingCircle;
-import dev.carom.internal.state.ObstacleTable;
-import dev.carom.internal.state.SceneDataBuilder;
 import dev.carom.internal.util.Check;
-import dev.carom.internal.util.Index;
-import dev.carom.internal.util.KindNumber;
-import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
-import java.util.function.IntFunction;
 
 /**
- * A {@code Resolver} follows one circle among obstacles for a given time, with all its bounces. It
- * needs no world, and serves game loops of your own and aiming lines. Immutable, safe for use by
- * several threads.
+ * A {@code Resolver} answers questions about things that a circle can meet: which is hit first,
+ * along which path a circle bounces, which is nearest, which overlap. It changes nothing.
+ *
+ * <p>A {@link World} is a resolver of all its things as they are now. {@link Scene#resolver} is one
+ * of the obstacles of a scene, and {@link #of Resolver.of} one of a list; these two are immutable,
+ * and safe for use by several threads. The library alone implements this interface; it may get
+ * further methods.
  *
  * <pre>{@code
  * Resolver resolver = Resolver.of(List.of(new Line(0, 0, 100, 0), new Circle(50, 40, 5)));
- * Trajectory path = resolver.trace(new Circle(10, 20, 2), new Vec2(3, -4), 60);
+ * Trajectory path = resolver.trace(new SweptCircle(10, 20, 2, 3, -4), 1, 60, 9);
  * System.out.println(path.impacts().size() + " impacts"); // 3 impacts
  * System.out.println(path.at(4.5)); // Vec2[x=23.5, y=2.0]
  * }</pre>
  *
- * <p>For circles that meet each other, {@link SweptCircle#timeToCircle} gives the time, and {@link
- * #respond respond} the velocities afterwards.
+ * <p>Only things count that a circle with the {@linkplain Filter#DEFAULT default filter} can meet.
+ * {@link #withFilter withFilter} asks as another one; an editor, which wants to see all, asks
+ * {@code world.withFilter(Filter.ALL)}.
  *
- * <p>Impacts are those of {@link SweptCircle}. Among simultaneous ones walls come first, then
- * lines, then pegs, each in their order. {@link #cast cast} compares times exactly; {@link #trace
- * trace}, like {@link World#step World.step}, treats impacts with equal rounded times as
- * simultaneous. Without gravity the thing just hit cannot be hit again before another one is; with
- * it, a circle may fall back on it. A circle that gets stuck follows the <a
- * href="doc-files/rules.html#stuck">rule for stuck circles</a>.
+ * <p>Questions are about now, and times count from now. Lines, pegs and circles go on with their
+ * present velocities and accelerations: their own impacts are ignored. The circle that is asked
+ * about moves as it says: without acceleration it flies straight, also in a world with gravity.
+ * {@link World#flight World.flight} is a circle of a world with all its motion.
+ *
+ * <p>Among exactly simultaneous impacts walls come first, then lines, then pegs, then circles, each
+ * by id. For circles that meet each other in a program of your own, {@link
+ * SweptCircle#timeToCircle} gives the time, and {@link #respond respond} the velocities afterwards.
  */
-public final class Resolver {
-
-  /** The most impacts of one trace; exact arithmetic counts as in a world's budget. */
-  static final int IMPACTS_PER_TRACE = 100_000;
-
-  private final ObstacleIndex index;
-  private final Gravity gravity;
-
-  /** The records of the obstacles, by their codes. */
-  private final IntFunction<Obstacle> records;
+public interface Resolver {
 
   /**
-   * Makes a resolver among the obstacles of a table.
-   *
-   * @param gravity the acceleration of circles whose path is traced
-   * @param records the obstacle that a code stands for
-   */
-  Resolver(ObstacleTable obstacles, Gravity gravity, IntFunction<Obstacle> records) {
-    index = new ObstacleIndex(obstacles);
-    if (gravity.acts()) {
-      index.beginFalls();
-    }
-    this.gravity = gravity;
-    this.records = records;
-  }
-
-  /**
-   * Makes a resolver among elastic obstacles.
+   * Makes a resolver among elastic obstacles. An id is a place among the obstacles of one kind: 0
+   * is the first line, or the first peg.
    *
    * @param obstacles lines, pegs and at most one bounds
    * @return the resolver
    * @throws IllegalArgumentException if there is more than one bounds
    */
-  public static Resolver of(List<? extends Obstacle> obstacles) {
-    SceneDataBuilder builder = new SceneDataBuilder();
-    List<Obstacle> lines = new ArrayList<>();
-    List<Obstacle> pegs = new ArrayList<>();
-    for (Obstacle obstacle : Check.notNull("obstacles", obstacles)) {
-      if (obstacle == null) {
-        throw Check.isNull("obstacles[" + obstacles.indexOf(null) + "]");
-      } else if (obstacle instanceof Line line) {
-        builder.obstacle(KindNumber.LINE, line.ax(), line.ay(), line.bx(), line.by());
-        lines.add(line);
-      } else if (obstacle instanceof Bounds bounds) {
-        add(builder, bounds);
-      } else {
-        Circle peg = (Circle) obstacle;
-        builder.obstacle(KindNumber.PEG, peg.x(), peg.y(), peg.radius());
-        pegs.add(peg);
-      }
-    }
-    ObstacleTable table = ObstacleTable.of(builder.build());
-    return new Resolver(table, new Gravity(0, 0), code -> record(table, code, lines, pegs));
-  }
-
-  private static void add(SceneDataBuilder builder, Bounds bounds) {
-    try {
-      builder.bounds(bounds.xmin(), bounds.ymin(), bounds.xmax(), bounds.ymax());
-    } catch (IllegalStateException second) {
-      throw new IllegalArgumentException(
-          "obstacles hold a second " + bounds + ": expected one bounds");
-    }
-  }
-
-  /** Returns the record that was given for a code. */
-  private static Obstacle record(
-      ObstacleTable table, int code, List<Obstacle> lines, List<Obstacle> pegs) {
-    return switch (Codes.kind(code)) {
-      case KindNumber.WALL -> PublicRecords.bounds(table.walls);
-      case KindNumber.LINE -> lines.get(Codes.index(code));
-      default -> pegs.get(Codes.index(code));
-    };
+  static Resolver of(List<? extends Obstacle> obstacles) {
+    return Questions.of(Check.notNull("obstacles", obstacles));
   }
 
   /**
-   * Follows an elastic circle along its path, bounces included. It falls if the scene of this
-   * resolver has gravity.
+   * Returns these same things as a circle with a given filter meets them. It is a view: of a world
+   * it sees the things as they are when it is asked.
+   *
+   * @param filter the filter of the circles that ask
+   * @return the view
+   */
+  Resolver withFilter(Filter filter);
+
+  /**
+   * Finds the first impact of a moving circle. A circle of radius 0 is a ray. It meets walls, lines
+   * and pegs, and, in a world whose circles collide, the circles too. It passes through sensors.
+   *
+   * <p>The earliest impact is found as if in real arithmetic, on the given doubles and on the
+   * positions, velocities and accelerations that things have. A {@linkplain World#step step}
+   * instead treats impacts with equal rounded times as simultaneous. A circle of a world that is
+   * asked about does not hit itself, since circles that move alike do not meet.
+   *
+   * <p>The search uses an <a href="doc-files/rules.html#questions">index</a>. For many casts use
+   * {@link #cast(Casts, double) one call}.
+   *
+   * @param circle the circle now
+   * @param maxTime how far to look ahead, at least 0, {@code +infinity} included
+   * @return the impact, with its time counted from now; empty if there is none until maxTime
+   * @throws IllegalArgumentException if maxTime is NaN or negative
+   */
+  Optional<Impact> cast(SweptCircle circle, double maxTime);
+
+  /**
+   * Finds the first impact of each of many moving circles, as {@link #cast(SweptCircle, double)
+   * cast} does for one. A call allocates a few small objects at most, and nothing per cast unless
+   * exact arithmetic has to decide.
+   *
+   * <p>See <a href="doc-files/recipes.html#lidar">a lidar</a> for an example.
+   *
+   * @param casts the circles now; they receive the answers
+   * @param maxTime how far to look ahead, at least 0, {@code +infinity} included
+   * @throws IllegalArgumentException if maxTime is NaN or negative; the casts keep their answers
+   */
+  void cast(Casts casts, double maxTime);
+
+  /**
+   * Follows a circle along its path, bounces included, until a time, until its impact of a given
+   * number, or, in a world whose circles collide, until it meets a circle.
+   *
+   * <p>The circle has the acceleration that it says. Sensors that it passes are listed and do not
+   * count; circles that are sensors are not listed. An impact with a circle is the last one: nobody
+   * moves by it, and its impulse is 0. A circle that gets stuck follows the <a
+   * href="doc-files/rules.html#stuck">rule for stuck circles</a>.
    *
    * <p>A path has at most 100,000 impacts, and exact arithmetic counts as in the <a
    * href="doc-files/rules.html#unfinished">budget of a step</a>. One that would go on is not
-   * {@linkplain Trajectory#complete complete}.
+   * {@linkplain Trajectory#complete complete}. Places may differ from those of a circle that a
+   * world moves in the last digits, as times count from now.
    *
    * @param circle the circle at the start
-   * @param velocity its velocity at the start
-   * @param duration how long to follow it, finite and at least 0
-   * @return its flights and impacts, with times counted from the start
-   * @throws IllegalArgumentException if the duration is NaN, infinite or negative
-   */
-  public Trajectory trace(Circle circle, Vec2 velocity, double duration) {
-    return trace(circle, velocity, 1, duration, Integer.MAX_VALUE);
-  }
-
-  /**
-   * Follows a circle with a restitution of its own along its path, up to a number of impacts. The
-   * limit of 100,000 impacts holds here too.
-   *
-   * @param circle the circle at the start
-   * @param velocity its velocity at the start
    * @param restitution finite and at least 0; that of an impact is its product with the obstacle's
    * @param duration how long to follow it, finite and at least 0
    * @param impacts the number of the impact at which the path ends, at least 0: 1 is the first one,
-   *     which a {@link #cast(Circle, Vec2, double) cast} would find without gravity, and 0 the
-   *     start
-   * @return its flights and impacts, with times counted from the start
+   *     and 0 the start
+   * @return its flights and impacts, with times counted from now
    * @throws IllegalArgumentException if the restitution or the duration is NaN, infinite or
    *     negative, or the number of impacts negative
    */
-  public Trajectory trace(
-      Circle circle, Vec2 velocity, double restitution, double duration, int impacts) {
-    Check.notNull("circle", circle);
-    Check.notNull("velocity", velocity);
-    Check.notNegative("restitution", restitution);
-    Check.notNegative("duration", duration);
-    Check.notNegative("impacts", impacts);
-    MovingCircle body = new SweptCircle(circle, velocity).body(restitution);
-    index.expect(1);
-    TracedPath path = new Tracer(index, gravity).trace(body, duration, impacts, IMPACTS_PER_TRACE);
-    return Trajectory.of(path);
-  }
+  Trajectory trace(SweptCircle circle, double restitution, double duration, int impacts);
 
   /**
-   * Finds the first impact of a moving circle with the obstacles. A circle of radius 0 is a ray. It
-   * flies straight on, also if the scene of this resolver has gravity.
+   * Finds the thing that is nearest to a point. Among equally near ones walls come first, then
+   * lines, then pegs, then circles, each by id.
    *
-   * <p>It is the earliest of the impacts that {@link SweptCircle#cast SweptCircle.cast} gives for
-   * each obstacle, as if in real arithmetic on the given doubles. Among exactly simultaneous ones
-   * it is the first in the order above.
+   * <p>Distances are computed in plain doubles: to a wall, to a line, or to the rim of a peg or
+   * circle. Inside of a peg or circle the distance is 0. The search uses an <a
+   * href="doc-files/rules.html#questions">index</a>.
    *
-   * @param circle the circle at the start
-   * @param velocity its velocity
-   * @param maxTime the end of the window, at least 0, {@code +infinity} included
-   * @return the impact, empty if there is none until maxTime
-   * @throws IllegalArgumentException if maxTime is NaN or negative
+   * @param x the x coordinate of the point, finite
+   * @param y the y coordinate of the point, finite
+   * @param kinds the kinds that count; all of them if none is given
+   * @return the thing, with its distance and its nearest point; empty if there is none
+   * @throws IllegalArgumentException if a coordinate is NaN or infinite
    */
-  public Optional<Impact> cast(Circle circle, Vec2 velocity, double maxTime) {
-    Check.notNull("circle", circle);
-    Check.notNull("velocity", velocity);
-    Check.duration("maxTime", maxTime);
-    index.expect(1);
-    MovingCircle body = new SweptCircle(circle, velocity).body(1);
-    Tracer tracer = new Tracer(index);
-    tracer.first(body, maxTime);
-    if (body.next == MovingCircle.NOTHING) {
-      return Optional.empty();
-    }
-    int code = body.next;
-    Kind kind = Kind.of(Codes.kind(code));
-    boolean halts = index.obstacles.halts(code);
-    int id = Codes.index(code);
-    return Optional.of(Impact.of(body.cleared, kind, id, body.contact, tracer.hit(body), halts));
-  }
+  Optional<Nearest> nearest(double x, double y, Kind... kinds);
 
   /**
-   * Finds the first impact of each of many moving circles, as {@link #cast(Circle, Vec2, double)
-   * cast} does for one. A call allocates a few small objects, and nothing per cast unless exact
-   * arithmetic has to decide.
+   * Finds the things of a kind that overlap a disk: they have points inside of it, not only on its
+   * rim. A disk of radius 0 is a point: it overlaps pegs, circles and walls that hold it inside,
+   * and no line. The answer is exact, for circles at the positions that {@link World#x} and {@link
+   * World#y} give.
    *
-   * @param casts the circles; they receive the answers
-   * @param maxTime the end of the window, at least 0, {@code +infinity} included
-   * @throws IllegalArgumentException if maxTime is NaN or negative; the casts keep their answers
-   */
-  public void cast(Casts casts, double maxTime) {
-    Check.notNull("casts", casts);
-    Check.duration("maxTime", maxTime);
-    index.expect(casts.size());
-    Tracer tracer = new Tracer(index);
-    MovingCircle body = new MovingCircle();
-    for (int i = 0; i < casts.size(); i++) {
-      casts.load(i, body);
-      tracer.first(body, maxTime);
-      if (body.next == MovingCircle.NOTHING) {
-        casts.miss(i);
-      } else {
-        casts.hit(i, body, Codes.index(body.next), tracer.hit(body));
-      }
-    }
-  }
-
-  /**
-   * Finds the obstacle that is nearest to a point. Among equally near ones it is the first: walls,
-   * then lines, then pegs, each in their order.
-   *
-   * <p>Distances are computed in plain doubles: to a wall, to a line, or to the rim of a peg.
-   * Inside of a peg the distance is 0.
-   *
-   * @param point the point
-   * @return the obstacle, empty if there is none
-   */
-  public Optional<Obstacle> nearest(Vec2 point) {
-    Check.notNull("point", point);
-    int nearest =
-        new Proximity(index, () -> 0)
-            .nearest(
-                KindNumber.WALL,
-                KindNumber.CIRCLE,
-                point.x(),
-                point.y(),
-                index.obstacles.met(FilterBits.DEFAULT));
-    return nearest == Index.NONE ? Optional.empty() : Optional.of(records.apply(nearest));
-  }
-
-  /**
-   * Finds the obstacles that overlap a disk: they have points inside of it, not only on its rim.
-   * The answer is exact. A disk of radius 0 is a point: it overlaps pegs and walls that hold it
-   * inside, and no line.
-   *
+   * @param kind which kind of thing
    * @param disk the disk
-   * @return the obstacles: the bounds once, however many walls overlap, then lines, then pegs, each
-   *     in their order, equal ones too
+   * @return the ids, ascending; a new array
    */
-  public List<Obstacle> overlapping(Circle disk) {
-    return overlapping(PublicRecords.region(disk));
-  }
+  int[] overlapping(Kind kind, Circle disk);
 
   /**
-   * Finds the obstacles that overlap a box: they have points inside of it, not only on its edge.
-   * The answer is exact.
+   * Finds the things of a kind that overlap a box: they have points inside of it, not only on its
+   * edge. The answer is exact.
    *
+   * @param kind which kind of thing
    * @param box the box
-   * @return the obstacles, as for a disk
+   * @return the ids, ascending; a new array
    */
-  public List<Obstacle> overlapping(Bounds box) {
-    return overlapping(PublicRecords.region(box));
-  }
-
-  private List<Obstacle> overlapping(Region region) {
-    return things(
-        new Proximity(index, () -> 0)
-            .overlapping(
-                KindNumber.WALL,
-                KindNumber.CIRCLE,
-                region,
-                index.obstacles.met(FilterBits.DEFAULT)));
-  }
-
-  /**
-   * Returns the obstacles that codes stand for. Walls come first: those after the first one are the
-   * same bounds.
-   */
-  private List<Obstacle> things(int[] codes) {
-    List<Obstacle> things = new ArrayList<>();
-    for (int code : codes) {
-      if (!Codes.isWall(code) || things.isEmpty()) {
-        things.add(records.apply(code));
-      }
-    }
-    return List.copyOf(things);
-  }
+  int[] overlapping(Kind kind, Bounds box);
 
   /**
    * Computes the velocities of two circles after an impact, in place.
@@ -332,7 +193,7 @@ public final class Resolver {
    * @throws IllegalArgumentException if a number is outside its range, or there are not four
    *     velocities
    */
-  public static void respond(
+  static void respond(
       double x1,
       double y1,
       double m1,

@@ -5,7 +5,6 @@ import dev.carom.internal.io.RowException;
 import dev.carom.internal.io.SceneFile;
 import dev.carom.internal.query.Warnings;
 import dev.carom.internal.state.Codes;
-import dev.carom.internal.state.Gravity;
 import dev.carom.internal.state.ObstacleTable;
 import dev.carom.internal.state.SceneData;
 import dev.carom.internal.state.SceneDataBuilder;
@@ -267,21 +266,18 @@ public final class Scene {
    * Makes a resolver among the lines, pegs and bounds of this scene, with their restitutions and
    * responses.
    *
-   * <p>It passes through sensors, and meets one-way lines from their left only. Its circle has
-   * category 1 and mask -1, and passes through all that it cannot {@linkplain Filter meet}. It does
-   * not know the circles of the scene. With {@linkplain SceneBuilder#gravity gravity}, the circle
-   * of {@link Resolver#trace trace} falls; that of a cast flies straight.
+   * <p>It meets one-way lines from their left only, and does not know the circles of the scene.
+   * Give the circle that is asked about the {@linkplain SceneBuilder#gravity gravity} of the scene
+   * as its {@linkplain SweptCircle#withAcceleration acceleration} if it shall fall.
    *
    * <p>Lines and pegs with a velocity are where the scene has them at the start of each cast and of
    * each path, and move from then on. {@link Resolver#nearest nearest} and {@link
-   * Resolver#overlapping(Circle) overlapping} take them where the scene has them.
+   * Resolver#overlapping(Kind, Circle) overlapping} take them where the scene has them.
    *
    * @return a new resolver
    */
   public Resolver resolver() {
-    ObstacleTable obstacles = ObstacleTable.of(data);
-    return new Resolver(
-        obstacles, new Gravity(data.gx, data.gy), code -> PublicRecords.of(obstacles, code, 0));
+    return new Questions(ObstacleTable.of(data));
   }
 
   /**

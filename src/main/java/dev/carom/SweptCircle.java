@@ -376,10 +376,10 @@ public record SweptCircle(
     return first(fall(other), Kind.CIRCLE, other.gx, other.gy, maxTime);
   }
 
-  /** This circle as one of no world. */
-  MovingCircle body(double restitution) {
-    MovingCircle m = new MovingCircle();
-    m.start(0, x, y, radius, vx, vy, restitution);
+  /** Loads this circle, of no world, at the start of its flight. */
+  MovingCircle load(MovingCircle m, double restitution) {
+    m.start(Impact.NO_ID, x, y, radius, vx, vy, restitution);
+    m.fall(gx, gy);
     return m;
   }
 

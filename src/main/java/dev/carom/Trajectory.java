@@ -7,6 +7,7 @@ import dev.carom.internal.util.DoubleList;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Objects;
+import java.util.function.IntUnaryOperator;
 import java.util.stream.Stream;
 
 /**
@@ -29,8 +30,8 @@ public final class Trajectory {
     this.complete = complete;
   }
 
-  /** Returns the path that a tracer found, of a circle of no world. */
-  static Trajectory of(TracedPath path) {
+  /** Returns the path that a tracer found, with the ids of slots. */
+  static Trajectory of(TracedPath path, IntUnaryOperator ids) {
     List<Flight> flights = new ArrayList<>();
     DoubleList f = path.flights();
     for (int k = 0; k < f.size(); k += TracedPath.FLIGHT) {
@@ -45,13 +46,13 @@ public final class Trajectory {
               f.get(k + 6)));
     }
     List<Impact> impacts = new ArrayList<>();
-    new ImpactLog(path.impacts(), circle -> Impact.NO_ID).forEach(impacts::add);
+    new ImpactLog(path.impacts(), ids).forEach(impacts::add);
     return new Trajectory(flights, impacts, path.duration(), path.complete());
   }
 
   /**
-   * Returns the impacts on the path, in the order of time. One at which the path ends is the last
-   * one.
+   * Returns the impacts on the path, in the order of time, with the sensors that it passes. One at
+   * which the path ends is the last one.
    *
    * @return an immutable list
    */
@@ -69,7 +70,8 @@ public final class Trajectory {
   }
 
   /**
-   * Tells whether the path ends at the duration or at the number of impacts that was asked for.
+   * Tells whether the path ends where it was asked to: at the duration, at the number of impacts,
+   * or at a circle.
    *
    * @return false if the budget of impacts was spent before; the duration is then the time of the
    *     last impact
@@ -79,11 +81,11 @@ public final class Trajectory {
   }
 
   /**
-   * Returns the corners of the path: the centre at the start, at each impact, and at the end.
-   * Straight lines join them; with gravity, arcs of parabolas: ask for {@linkplain #at places}
-   * between them. There is a point, too, where the circle slides off the end of a line.
+   * Returns the corners of the path: the centre at the start, at each impact that turned it, and at
+   * the end. Straight lines join them; with gravity, arcs of parabolas: ask for {@linkplain #at
+   * places} between them. There is a point, too, where the circle slides off the end of a line.
    *
-   * @return two points more than there are impacts; with gravity, maybe further ones
+   * @return at least two points
    */
   public List<Vec2> points() {
     return Stream.concat(flights.stream().map(f -> f.at(f.t0())), Stream.of(end())).toList();

@@ -6,12 +6,10 @@ import dev.carom.internal.engine.Editor;
 import dev.carom.internal.engine.Engine;
 import dev.carom.internal.engine.Handles;
 import dev.carom.internal.engine.IndependentEngine;
-import dev.carom.internal.query.Region;
 import dev.carom.internal.state.CircleRegistry;
 import dev.carom.internal.state.CircleTable;
 import dev.carom.internal.state.Codes;
 import dev.carom.internal.state.EngineOptions;
-import dev.carom.internal.state.FilterBits;
 import dev.carom.internal.state.ImpactRows;
 import dev.carom.internal.state.ObstacleTable;
 import dev.carom.internal.state.SceneData;
@@ -51,8 +49,7 @@ import java.util.Optional;
  *
  * <p>A step goes on for a time span ({@link #step step}), to a time ({@link #advanceTo(double)
  * advanceTo}) or to the next impact ({@link #advanceToImpact advanceToImpact}). Between steps a
- * world can be edited, asked ({@link #cast(Circle, Vec2, double) cast}, {@link #trace trace},
- * {@link #nearest nearest}, {@link #overlapping(Kind, Circle) overlapping}), saved ({@link
+ * world can be edited, asked as a {@link Resolver} (cast, trace, nearest, overlapping), saved ({@link
  * #snapshot}) and recorded ({@link #record record}). It can tell how far its places are right
  * ({@link #uncertainty uncertainty}). A world belongs to one thread at a time. Different worlds
  * share nothing that changes.
@@ -62,7 +59,7 @@ import java.util.Optional;
  * href="doc-files/recipes.html">Recipes</a>: frames and netcode, a paddle, a piston, pockets, balls
  * that fall, teams, an aiming line, a lidar, periodic cells, Lyapunov exponents.
  */
-public final class World {
+public final class World implements Resolver {
 
   /** A new log has room for one row per circle, but for at least and at most so many. */
   private static final int LOG_LEAST = 16;
@@ -78,7 +75,8 @@ public final class World {
   final CircleTable circles;
   final ObstacleTable obstacles;
   private final Editor editor;
-  final WorldQueries questions;
+  private final WorldQueries queries;
+  final Questions questions;
   private double now;
 
   /** The time at which calls of {@link #advanceToImpact} share a budget, NaN for none. */
@@ -116,7 +114,8 @@ public final class World {
     obstacles = engine.staticScene.obstacles;
     ids = new Handles(registry, obstacles);
     editor = new Editor(data, engine, registry);
-    questions = new WorldQueries(engine, registry, data.collide, this::now);
+    queries = new WorldQueries(engine, registry);
+    questions = new Questions(engine.staticScene.index, this::now, circles, registry, data.collide);
   }
 
   /**
@@ -403,7 +402,19 @@ public final class World {
    * @throws IndexOutOfBoundsException if there is no such thing
    */
   public Vec2 velocity(Kind kind, int id) {
-    return questions.velocity(code(kind, id), now);
+    return queries.velocity(code(kind, id), now);
+  }
+
+  /**
+   * Returns a circle with its motion now, its acceleration included: a circle to start casts and
+   * traces from.
+   *
+   * @param circle the id of the circle
+   * @return the circle; of one in contact under gravity its motion up to the next tick
+   * @throws IndexOutOfBoundsException if there is no such circle
+   */
+  public SweptCircle flight(int circle) {
+    return queries.flight(ids.circle(circle), now);
   }
 
   /**
@@ -421,7 +432,7 @@ public final class World {
    * @throws IndexOutOfBoundsException if there is no such circle
    */
   public boolean isResting(int id) {
-    return questions.isResting(ids.circle(id), now);
+    return queries.isResting(ids.circle(id), now);
   }
 
   /**
@@ -446,7 +457,7 @@ public final class World {
    * @throws IndexOutOfBoundsException if there is no such thing
    */
   public Traits traits(Kind kind, int id) {
-    return questions.traits(code(kind, id));
+    return queries.traits(code(kind, id));
   }
 
   /**
@@ -473,7 +484,7 @@ public final class World {
    */
   public int[] ids(Kind kind) {
     Check.notNull("kind", kind);
-    return questions.ids(kind);
+    return queries.ids(kind);
   }
 
   /**
@@ -506,256 +517,64 @@ public final class World {
 
   // Questions.
 
-  /**
-   * Finds the first impact of a moving circle with this world as it is now. The world does not
-   * change, and the circle need not belong to it.
-   *
-   * <p>The circle flies straight on, also under {@linkplain SceneBuilder#gravity gravity}; {@link
-   * #trace trace} follows one that falls. It meets walls, lines and pegs, and, if circles collide
-   * in this world, the circles too. It passes through sensors. A circle of radius 0 is a ray. To
-   * cast a circle of the world, give its place: it does not hit itself, since circles with the same
-   * centre do not meet. With gravity the circle of the world falls, and may catch up with the cast.
-   *
-   * <p>Lines, pegs and circles go on with their present velocities. Circles that fall or slide keep
-   * their acceleration too. Their own impacts are ignored: they pass through everything.
-   *
-   * <p>The earliest impact is found as if in real arithmetic, on the given doubles and on the
-   * positions, velocities and accelerations that this world has. The circle has category 1 and mask
-   * -1. Among exactly simultaneous impacts walls come first, then lines, then pegs, then circles,
-   * each by id. A {@link #step step} instead treats impacts with equal rounded times as
-   * simultaneous.
-   *
-   * <p>The search uses an <a href="doc-files/rules.html#questions">index</a>. A call allocates a
-   * few small objects. For many casts use {@link #cast(Casts, double) one call}, which allocates
-   * them once.
-   *
-   * @param circle the circle now
-   * @param velocity its velocity
-   * @param maxTime how far to look ahead, from now on: at least 0, {@code +infinity} included
-   * @return the impact, with its time counted from now; empty if there is none until maxTime
-   * @throws IllegalArgumentException if maxTime is NaN or negative
-   */
-  public Optional<Impact> cast(Circle circle, Vec2 velocity, double maxTime) {
-    return cast(circle, velocity, maxTime, 1, -1);
+  @Override
+  public Resolver withFilter(Filter filter) {
+    return questions.withFilter(filter);
   }
 
-  /**
-   * Finds the first impact of a moving circle of a given category and mask, and ignores all that it
-   * cannot {@linkplain Filter meet}. Otherwise as {@link #cast(Circle, Vec2, double) cast}.
-   *
-   * @param circle the circle now
-   * @param velocity its velocity
-   * @param maxTime how far to look ahead, from now on: at least 0, {@code +infinity} included
-   * @param category the categories that the circle belongs to
-   * @param mask the categories that it can meet
-   * @return the impact, with its time counted from now; empty if there is none until maxTime
-   * @throws IllegalArgumentException if maxTime is NaN or negative
-   */
-  public Optional<Impact> cast(
-      Circle circle, Vec2 velocity, double maxTime, int category, int mask) {
-    Check.notNull("circle", circle);
-    Check.notNull("velocity", velocity);
-    Check.duration("maxTime", maxTime);
-    return questions.cast(circle, velocity, maxTime, now, FilterBits.of(category, mask));
+  @Override
+  public Optional<Impact> cast(SweptCircle circle, double maxTime) {
+    return questions.cast(circle, maxTime);
   }
 
-  /**
-   * Finds the first impact of each of many moving circles, as {@link #cast(Circle, Vec2, double)
-   * cast} does for one. A call allocates a few small objects, and nothing per cast unless exact
-   * arithmetic has to decide.
-   *
-   * <p>See <a href="doc-files/recipes.html#lidar">a lidar</a> for an example.
-   *
-   * @param casts the circles now; they receive the answers
-   * @param maxTime how far to look ahead, from now on: at least 0, {@code +infinity} included
-   * @throws IllegalArgumentException if maxTime is NaN or negative; the casts keep their answers
-   */
+  @Override
   public void cast(Casts casts, double maxTime) {
-    cast(casts, maxTime, 1, -1);
+    questions.cast(casts, maxTime);
+  }
+
+  @Override
+  public Trajectory trace(SweptCircle circle, double restitution, double duration, int impacts) {
+    return questions.trace(circle, restitution, duration, impacts);
   }
 
   /**
-   * Finds the first impact of each of many moving circles, all of a given category and mask, and
-   * ignores all that they cannot {@linkplain Filter meet}. Otherwise as {@link #cast(Casts, double)
-   * cast}.
+   * Follows the path that a circle of this world would take from now on with a given velocity:
+   * under gravity, with its own radius, restitution, mass and filter. It is not stopped by itself.
+   * The world does not change.
    *
-   * @param casts the circles now; they receive the answers
-   * @param maxTime how far to look ahead, from now on: at least 0, {@code +infinity} included
-   * @param category the categories that the circles belong to
-   * @param mask the categories that they can meet
-   * @throws IllegalArgumentException if maxTime is NaN or negative; the casts keep their answers
-   */
-  public void cast(Casts casts, double maxTime, int category, int mask) {
-    Check.notNull("casts", casts);
-    Check.duration("maxTime", maxTime);
-    questions.cast(casts, maxTime, now, FilterBits.of(category, mask));
-  }
-
-  /**
-   * Follows a circle along its path among the walls, lines and pegs of this world, bounces
-   * included. The world does not change.
+   * <p>Otherwise as {@link #trace(SweptCircle, double, double, int) trace}: the path ends at a
+   * time, at its impact of a given number, or, if circles collide, at the first circle in the way,
+   * whose present motion goes on. It lists the sensors that it passes. See <a
+   * href="doc-files/recipes.html#aiming">an aiming line</a>.
    *
-   * <p>The circle falls if this world has {@linkplain SceneBuilder#gravity gravity}. It has
-   * category 1 and mask -1. It passes through sensors, and through all circles of this world: for
-   * an aiming line that ends at the first ball in the way, see <a
-   * href="doc-files/recipes.html#aiming">an aiming line that sees balls</a>. Lines and pegs go on
-   * with their present velocities. A path has at most 100,000 impacts, and exact arithmetic counts
-   * as in the <a href="doc-files/rules.html#unfinished">budget of a step</a>. One that would go on
-   * is not {@linkplain Trajectory#complete complete}. Places may differ from those of a circle that
-   * the world moves in the last digits, as times count from now.
-   *
-   * @param circle the circle at the start; its radius may be 0
-   * @param velocity its velocity at the start
-   * @param restitution finite and at least 0; that of an impact is its product with the obstacle's
+   * @param circle the id of the circle
+   * @param vx the x component of its velocity at the start, finite
+   * @param vy the y component of its velocity at the start, finite
    * @param duration how long to follow it, finite and at least 0
    * @param impacts the number of the impact at which the path ends, at least 0: 1 is the first one,
-   *     which a {@link #cast(Circle, Vec2, double) cast} would find without gravity, and 0 the
-   *     start
+   *     and 0 the start
    * @return its flights and impacts, with times counted from now
-   * @throws IllegalArgumentException if the restitution or the duration is NaN, infinite or
-   *     negative, or the number of impacts negative
+   * @throws IndexOutOfBoundsException if there is no such circle
+   * @throws IllegalArgumentException if a component or the duration is NaN or infinite, or the
+   *     duration or the number of impacts negative
    */
-  public Trajectory trace(
-      Circle circle, Vec2 velocity, double restitution, double duration, int impacts) {
-    return trace(circle, velocity, restitution, duration, impacts, 1, -1);
+  public Trajectory trace(int circle, double vx, double vy, double duration, int impacts) {
+    return questions.trace(ids.circle(circle), vx, vy, engine.gravity, duration, impacts);
   }
 
-  /**
-   * Follows a circle of a given category and mask along its path, and ignores all that it cannot
-   * {@linkplain Filter meet}. Otherwise as {@link #trace(Circle, Vec2, double, double, int) trace}.
-   *
-   * @param circle the circle at the start; its radius may be 0
-   * @param velocity its velocity at the start
-   * @param restitution finite and at least 0; that of an impact is its product with the obstacle's
-   * @param duration how long to follow it, finite and at least 0
-   * @param impacts the number of the impact at which the path ends, at least 0: 1 is the first one,
-   *     which a {@link #cast(Circle, Vec2, double) cast} would find without gravity, and 0 the
-   *     start
-   * @param category the categories that the circle belongs to
-   * @param mask the categories that it can meet
-   * @return its flights and impacts, with times counted from now
-   * @throws IllegalArgumentException if the restitution or the duration is NaN, infinite or
-   *     negative, or the number of impacts negative
-   */
-  public Trajectory trace(
-      Circle circle,
-      Vec2 velocity,
-      double restitution,
-      double duration,
-      int impacts,
-      int category,
-      int mask) {
-    Check.notNull("circle", circle);
-    Check.notNull("velocity", velocity);
-    Check.notNegative("restitution", restitution);
-    Check.notNegative("duration", duration);
-    Check.notNegative("impacts", impacts);
-    long filter = FilterBits.of(category, mask);
-    return questions.trace(circle, velocity, restitution, duration, impacts, filter, now);
+  @Override
+  public Optional<Nearest> nearest(double x, double y, Kind... kinds) {
+    return questions.nearest(x, y, kinds);
   }
 
-  /**
-   * Finds the thing of a kind that is nearest to a point. Among equally near ones the smallest id
-   * wins.
-   *
-   * <p>Only things count that a circle of category 1 and mask -1 can {@linkplain Filter meet}, as
-   * in {@link #cast(Circle, Vec2, double) cast}. With category -1 and mask -1 {@link #nearest(Kind,
-   * double, double, int, int) all} that can be met count.
-   *
-   * <p>Distances are computed in plain doubles: to a wall, to a line, or to the rim of a peg or
-   * circle. Inside of a peg or circle the distance is 0. The search uses an <a
-   * href="doc-files/rules.html#questions">index</a>.
-   *
-   * @param kind which kind of thing
-   * @param x the x coordinate of the point, finite
-   * @param y the y coordinate of the point, finite
-   * @return its id, -1 if there is none
-   * @throws IllegalArgumentException if a coordinate is NaN or infinite
-   */
-  public int nearest(Kind kind, double x, double y) {
-    return nearest(kind, x, y, 1, -1);
-  }
-
-  /**
-   * Finds the thing of a kind that is nearest to a point. Only things count that a circle of the
-   * given category and mask can {@linkplain Filter meet}. Otherwise as {@link #nearest(Kind,
-   * double, double) nearest}.
-   *
-   * @param kind which kind of thing
-   * @param x the x coordinate of the point, finite
-   * @param y the y coordinate of the point, finite
-   * @param category the categories of such a circle
-   * @param mask the categories that it can meet
-   * @return its id, -1 if there is none
-   * @throws IllegalArgumentException if a coordinate is NaN or infinite
-   */
-  public int nearest(Kind kind, double x, double y, int category, int mask) {
-    Check.notNull("kind", kind);
-    Check.finite("x", x);
-    Check.finite("y", y);
-    return questions.nearest(kind, x, y, now, FilterBits.of(category, mask));
-  }
-
-  /**
-   * Finds the things of a kind that overlap a disk: they have points inside of it, not only on its
-   * rim. A disk of radius 0 is a point: it overlaps pegs, circles and walls that hold it inside,
-   * and no line. The same things count as in {@link #nearest(Kind, double, double) nearest}.
-   *
-   * <p>The answer is exact, for circles at the positions that {@link #x} and {@link #y} give. The
-   * search uses an <a href="doc-files/rules.html#questions">index</a>.
-   *
-   * @param kind which kind of thing
-   * @param disk the disk
-   * @return the ids, ascending; a new array
-   */
+  @Override
   public int[] overlapping(Kind kind, Circle disk) {
-    return overlapping(kind, disk, 1, -1);
+    return questions.overlapping(kind, disk);
   }
 
-  /**
-   * Finds the things of a kind that overlap a disk. Only things count that a circle of the given
-   * category and mask can {@linkplain Filter meet}. Otherwise as {@link #overlapping(Kind, Circle)
-   * overlapping}.
-   *
-   * @param kind which kind of thing
-   * @param disk the disk
-   * @param category the categories of such a circle
-   * @param mask the categories that it can meet
-   * @return the ids, ascending; a new array
-   */
-  public int[] overlapping(Kind kind, Circle disk, int category, int mask) {
-    return overlapping(kind, PublicRecords.region(disk), FilterBits.of(category, mask));
-  }
-
-  private int[] overlapping(Kind kind, Region region, long filter) {
-    return questions.overlapping(Check.notNull("kind", kind), region, now, filter);
-  }
-
-  /**
-   * Finds the things of a kind that overlap a box: they have points inside of it, not only on its
-   * edge. The answer is exact, as for a disk, and the same things count.
-   *
-   * @param kind which kind of thing
-   * @param box the box
-   * @return the ids, ascending; a new array
-   */
+  @Override
   public int[] overlapping(Kind kind, Bounds box) {
-    return overlapping(kind, box, 1, -1);
-  }
-
-  /**
-   * Finds the things of a kind that overlap a box. Only things count that a circle of the given
-   * category and mask can {@linkplain Filter meet}. Otherwise as {@link #overlapping(Kind, Bounds)
-   * overlapping}.
-   *
-   * @param kind which kind of thing
-   * @param box the box
-   * @param category the categories of such a circle
-   * @param mask the categories that it can meet
-   * @return the ids, ascending; a new array
-   */
-  public int[] overlapping(Kind kind, Bounds box, int category, int mask) {
-    return overlapping(kind, PublicRecords.region(box), FilterBits.of(category, mask));
+    return questions.overlapping(kind, box);
   }
 
   // Edits.
@@ -773,9 +592,9 @@ public final class World {
     edit().setGravity(gx, gy, now);
   }
 
-  /** Returns the editor; questions forget where circles were. */
+  /** Returns the editor; questions forget what they know. */
   private Editor edit() {
-    questions.forget();
+    questions.changed();
     return editor;
   }
 
@@ -1074,7 +893,7 @@ public final class World {
           "collide of the snapshot", state.collide(), "this world's, " + scene.collide());
     }
     rows.clear();
-    questions.forget();
+    questions.changed();
     sharedAt = Double.NaN;
     now = state.now();
     registry.set(state.registry());

@@ -58,7 +58,7 @@
  * Vec2 velocity = new Vec2(20, 0);
  * System.out.println(new SweptCircle(circle, velocity).cast(line, 1).get().time()); // 0.5
  *
- * Trajectory path = Resolver.of(List.of(line)).trace(circle, velocity, 1);
+ * Trajectory path = Resolver.of(List.of(line)).trace(new SweptCircle(circle, velocity), 1, 1, 9);
  * System.out.println(path.end()); // Vec2[x=-15.0, y=4.0]
  * }</pre>
  *

@@ -360,6 +360,28 @@ class AllocationTest {
     assertThat(sum(many)).isFinite();
   }
 
+  /** The impact that it returns, and an Optional. */
+  @ParameterizedTest
+  @ValueSource(booleans = {false, true})
+  void aCastOfAWorldAllocatesItsAnswer(boolean collide) throws ReflectiveOperationException {
+    World world =
+        new World(
+            Scene.builder()
+                .bounds(0, 0, 99, 99)
+                .collide(collide)
+                .peg(50, 50, 5)
+                .circle(20, 50, 3, 0, 0)
+                .build());
+    List<SweptCircle> asked =
+        List.of(
+            new SweptCircle(70, 50, 2, -1, 0),
+            new SweptCircle(9, 50, 2, 1, 0),
+            new SweptCircle(70, 50, 0, 1, 0));
+    for (SweptCircle circle : asked) {
+      assertThat(ofMany(() -> world.cast(circle, 1e3))).isLessThanOrEqualTo(150L * 20_000);
+    }
+  }
+
   private static Casts casts(Random random, int count) {
     Casts casts = new Casts();
     for (int i = 0; i < count; i++) {

@@ -8,6 +8,8 @@ import dev.carom.internal.query.TracedPath;
 import dev.carom.internal.query.Tracer;
 import dev.carom.internal.search.ObstacleIndex;
 import dev.carom.internal.state.EngineOptions;
+import dev.carom.internal.state.Gravity;
+import dev.carom.internal.state.MovingCircle;
 import dev.carom.internal.state.ObstacleTable;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
@@ -140,7 +142,8 @@ class BudgetTest {
   private static TracedPath trace(int impacts, int most) {
     ObstacleTable obstacles = ObstacleTable.of(nearTies(true).data);
     Tracer tracer = new Tracer(new ObstacleIndex(obstacles));
-    return tracer.trace(new SweptCircle(LEAVING, new Vec2(-UNIT, 0)).body(1), 1e3, impacts, most);
+    MovingCircle body = new SweptCircle(LEAVING, new Vec2(-UNIT, 0)).load(new MovingCircle(), 1);
+    return tracer.trace(body, new Gravity(0, 0), null, null, 1e3, impacts, most);
   }
 
   /** The work to find the impact that comes after so many. */

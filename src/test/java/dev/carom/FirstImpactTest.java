@@ -43,17 +43,17 @@ class FirstImpactTest {
       Truth moving = scene.first(true);
       for (double T : windows(still)) {
         Impact expected = impact(scene, still, T);
-        assertThat(Resolver.of(obstacles(scene)).cast(scene.circle, scene.v, T))
+        assertThat(Resolver.of(obstacles(scene)).cast(new SweptCircle(scene.circle, scene.v), T))
             .as("seed %s", seed)
             .isEqualTo(Optional.ofNullable(expected));
         EngineOptions options = MACHINERY.get(seed % MACHINERY.size());
-        assertThat(world(scene, false, options).cast(scene.circle, scene.v, T))
+        assertThat(world(scene, false, options).cast(new SweptCircle(scene.circle, scene.v), T))
             .as("seed %s, %s", seed, options)
             .isEqualTo(Optional.ofNullable(expected));
       }
       for (double T : windows(moving)) {
         EngineOptions options = MACHINERY.get(seed / 2 % MACHINERY.size());
-        assertThat(world(scene, true, options).cast(scene.circle, scene.v, T))
+        assertThat(world(scene, true, options).cast(new SweptCircle(scene.circle, scene.v), T))
             .as("seed %s, %s, circles collide", seed, options)
             .isEqualTo(Optional.ofNullable(impact(scene, moving, T)));
       }
@@ -125,7 +125,7 @@ class FirstImpactTest {
       EngineOptions options = MACHINERY.get(seed % MACHINERY.size());
       World world = world(scene, seed % 2 == 0, options);
       for (Truth first : scene.inOrder(seed % 2 == 0)) {
-        Impact impact = world.cast(scene.circle, scene.v, NEVER).orElseThrow();
+        Impact impact = world.cast(new SweptCircle(scene.circle, scene.v), NEVER).orElseThrow();
         assertThat(impact).as("seed %s, %s", seed, options).isEqualTo(impact(scene, first, NEVER));
         if (first.kind() == Kind.WALL) {
           break;
@@ -181,7 +181,7 @@ class FirstImpactTest {
 
   private static Obstacle first(List<Obstacle> all, Circle circle, Vec2 v) {
     return Resolver.of(all)
-        .cast(circle, v, NEVER)
+        .cast(new SweptCircle(circle, v), NEVER)
         .map(hit -> SweptCircleAnswers.thing(all, hit))
         .orElse(null);
   }

@@ -52,7 +52,8 @@ class LocaleTest {
             world.snapshot(),
             world.impacts(),
             Resolver.of(List.of(new Circle(5, 5, 1)))
-                .trace(new Circle(2, 5, 1), new Vec2(1, 0), 3));
+                .trace(
+                    new SweptCircle(new Circle(2, 5, 1), new Vec2(1, 0)), 1, 3, Integer.MAX_VALUE));
     assertThat(all).extracting(Object::toString).allMatch(LocaleTest::isLatin);
     assertThat(scene.toString()).startsWith("Scene[circles=1, lines=0, pegs=1, bounds=");
   }

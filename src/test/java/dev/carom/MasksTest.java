@@ -259,29 +259,46 @@ class MasksTest {
     World world = asked();
     Circle circle = new Circle(10, 50, 5);
     Vec2 right = new Vec2(1, 0);
-    assertThat(first(world.cast(circle, right, 1000))).isEqualTo("CIRCLE 10.0");
-    assertThat(first(world.cast(circle, right, 1000, 1, ~B))).isEqualTo("LINE 35.0");
-    assertThat(first(world.cast(circle, right, 1000, 1, ~BOTH))).isEqualTo("PEG 50.0");
-    assertThat(first(world.cast(circle, right, 1000, B, ~BOTH))).isEqualTo("WALL 85.0");
-    assertThat(world.cast(circle, right, 1000, BOTH & ~B, ~BOTH & ~1)).isEmpty();
-    assertThat(world.cast(circle, right, 1000, 0, -1)).isEmpty();
+    assertThat(first(world.cast(new SweptCircle(circle, right), 1000))).isEqualTo("CIRCLE 10.0");
+    assertThat(
+            first(world.withFilter(new Filter(1, ~B)).cast(new SweptCircle(circle, right), 1000)))
+        .isEqualTo("LINE 35.0");
+    assertThat(
+            first(
+                world.withFilter(new Filter(1, ~BOTH)).cast(new SweptCircle(circle, right), 1000)))
+        .isEqualTo("PEG 50.0");
+    assertThat(
+            first(
+                world.withFilter(new Filter(B, ~BOTH)).cast(new SweptCircle(circle, right), 1000)))
+        .isEqualTo("WALL 85.0");
+    assertThat(
+            world
+                .withFilter(new Filter(BOTH & ~B, ~BOTH & ~1))
+                .cast(new SweptCircle(circle, right), 1000))
+        .isEmpty();
+    assertThat(world.withFilter(new Filter(0, -1)).cast(new SweptCircle(circle, right), 1000))
+        .isEmpty();
   }
 
   private static String first(Optional<Impact> impact) {
     return impact.map(i -> i.kind() + " " + i.time()).orElse("none");
   }
 
+  private static Kind firstOfPath(Resolver world, Filter filter) {
+    SweptCircle circle = new SweptCircle(10, 50, 5, 1, 0);
+    return world.withFilter(filter).trace(circle, 1, 100, 1).impacts().get(0).kind();
+  }
+
   @Test
   void traceMeetsWhatTheAskerMeets() {
     World world = asked();
-    Circle circle = new Circle(10, 50, 5);
-    Vec2 right = new Vec2(1, 0);
-    assertThat(world.trace(circle, right, 1, 100, 1).impacts().get(0).kind()).isEqualTo(Kind.LINE);
-    assertThat(world.trace(circle, right, 1, 100, 1, 1, ~A).impacts().get(0).kind())
-        .isEqualTo(Kind.PEG);
-    assertThat(world.trace(circle, right, 1, 100, 1, A, ~BOTH & ~1).impacts()).isEmpty();
-    assertThat(world.scene().resolver().trace(circle, right, 100).impacts().get(0).kind())
-        .isEqualTo(Kind.LINE);
+    SweptCircle circle = new SweptCircle(10, 50, 5, 1, 0);
+    assertThat(world.trace(circle, 1, 100, 1).impacts().get(0).kind()).isEqualTo(Kind.CIRCLE);
+    assertThat(firstOfPath(world, new Filter(1, ~B))).isEqualTo(Kind.LINE);
+    assertThat(firstOfPath(world, new Filter(1, ~BOTH))).isEqualTo(Kind.PEG);
+    Filter none = new Filter(A, ~BOTH & ~1);
+    assertThat(world.withFilter(none).trace(circle, 1, 100, 1).impacts()).isEmpty();
+    assertThat(firstOfPath(world.scene().resolver(), Filter.DEFAULT)).isEqualTo(Kind.LINE);
   }
 
   @Test
@@ -290,17 +307,23 @@ class MasksTest {
       World world = hidden(kind);
       Circle disk = new Circle(50, 50, 60);
       Bounds box = new Bounds(-5, -5, 105, 105);
-      assertThat(world.nearest(kind, 0, 50)).as("%s", kind).isEqualTo(-1);
-      assertThat(world.nearest(kind, 0, 50, -1, -1)).as("%s", kind).isZero();
+      assertThat(world.nearest(0, 50, kind).map(Nearest::id).orElse(-1))
+          .as("%s", kind)
+          .isEqualTo(-1);
+      assertThat(world.withFilter(Filter.ALL).nearest(0, 50, kind).map(Nearest::id).orElse(-1))
+          .as("%s", kind)
+          .isZero();
       assertThat(world.overlapping(kind, disk)).as("%s", kind).isEmpty();
       assertThat(world.overlapping(kind, box)).as("%s", kind).isEmpty();
-      assertThat(world.overlapping(kind, disk, -1, -1)).as("%s", kind).isNotEmpty();
-      assertThat(world.overlapping(kind, box, -1, -1)).as("%s", kind).isNotEmpty();
+      assertThat(world.withFilter(Filter.ALL).overlapping(kind, disk)).as("%s", kind).isNotEmpty();
+      assertThat(world.withFilter(Filter.ALL).overlapping(kind, box)).as("%s", kind).isNotEmpty();
       Resolver resolver = world.scene().resolver();
-      assertThat(resolver.nearest(new Vec2(0, 50))).as("%s", kind).isEmpty();
-      assertThat(resolver.overlapping(disk)).as("%s", kind).isEmpty();
-      assertThat(resolver.overlapping(box)).as("%s", kind).isEmpty();
-      assertThat(world.cast(new Circle(10, 50, 5), new Vec2(1, 0), 1000)).as("%s", kind).isEmpty();
+      assertThat(resolver.nearest(0, 50)).as("%s", kind).isEmpty();
+      assertThat(resolver.overlapping(kind, disk)).as("%s", kind).isEmpty();
+      assertThat(resolver.overlapping(kind, box)).as("%s", kind).isEmpty();
+      assertThat(world.cast(new SweptCircle(new Circle(10, 50, 5), new Vec2(1, 0)), 1000))
+          .as("%s", kind)
+          .isEmpty();
     }
   }
 
@@ -327,19 +350,39 @@ class MasksTest {
     int[] seenByB = {0, 0, -1, 0};
     int[] seenByA = {-1, 0, 0, 0};
     for (int k = 1; k < kinds.length; k++) {
-      assertThat(world.nearest(kinds[k], 0, 50)).isEqualTo(seen[k]);
-      assertThat(world.nearest(kinds[k], 0, 50, B, -1)).isEqualTo(seenByB[k]);
-      assertThat(world.nearest(kinds[k], 0, 50, A, -1)).isEqualTo(seenByA[k]);
+      assertThat(world.nearest(0, 50, kinds[k]).map(Nearest::id).orElse(-1)).isEqualTo(seen[k]);
+      assertThat(
+              world
+                  .withFilter(new Filter(B, -1))
+                  .nearest(0, 50, kinds[k])
+                  .map(Nearest::id)
+                  .orElse(-1))
+          .isEqualTo(seenByB[k]);
+      assertThat(
+              world
+                  .withFilter(new Filter(A, -1))
+                  .nearest(0, 50, kinds[k])
+                  .map(Nearest::id)
+                  .orElse(-1))
+          .isEqualTo(seenByA[k]);
       assertThat(world.overlapping(kinds[k], disk)).hasSize(1);
       assertThat(world.overlapping(kinds[k], box)).hasSize(1);
-      assertThat(world.overlapping(kinds[k], disk, B, -1)).hasSize(1 + seenByB[k]);
-      assertThat(world.overlapping(kinds[k], box, B, -1)).hasSize(1 + seenByB[k]);
-      assertThat(world.overlapping(kinds[k], disk, A, 0)).isEmpty();
+      assertThat(world.withFilter(new Filter(B, -1)).overlapping(kinds[k], disk))
+          .hasSize(1 + seenByB[k]);
+      assertThat(world.withFilter(new Filter(B, -1)).overlapping(kinds[k], box))
+          .hasSize(1 + seenByB[k]);
+      assertThat(world.withFilter(new Filter(A, 0)).overlapping(kinds[k], disk)).isEmpty();
     }
-    assertThat(world.nearest(Kind.WALL, 0, 50)).isZero();
-    assertThat(world.nearest(Kind.WALL, 0, 50, A, -1)).isEqualTo(-1);
+    assertThat(world.nearest(0, 50, Kind.WALL).map(Nearest::id).orElse(-1)).isZero();
+    assertThat(
+            world
+                .withFilter(new Filter(A, -1))
+                .nearest(0, 50, Kind.WALL)
+                .map(Nearest::id)
+                .orElse(-1))
+        .isEqualTo(-1);
     assertThat(world.overlapping(Kind.WALL, disk)).hasSize(4);
-    assertThat(world.overlapping(Kind.WALL, disk, A, -1)).isEmpty();
+    assertThat(world.withFilter(new Filter(A, -1)).overlapping(Kind.WALL, disk)).isEmpty();
   }
 
   // Scenes.

@@ -358,15 +358,16 @@ class MoveToTest {
     World world = new World(paddle().build());
     world.moveTo(Kind.LINE, 0, 4, -10, 4);
     Circle ball = new Circle(20, 0, 1);
-    Impact onTheWay = world.cast(ball, new Vec2(-9, 0), 100).orElseThrow();
+    Impact onTheWay = world.cast(new SweptCircle(ball, new Vec2(-9, 0)), 100).orElseThrow();
     assertThat(onTheWay.time()).isEqualTo(1.9);
-    Impact atRest = world.cast(ball, new Vec2(-1, 0), 100).orElseThrow();
+    Impact atRest = world.cast(new SweptCircle(ball, new Vec2(-1, 0)), 100).orElseThrow();
     assertThat(atRest.time()).isEqualTo(15);
     assertThat(atRest.point()).isEqualTo(new Vec2(4, 0));
-    assertThat(world.cast(ball, new Vec2(-1, 0), 14)).isEmpty();
-    assertThat(world.cast(new Circle(4, 0, 1), new Vec2(20, 0), 100)).isEmpty();
+    assertThat(world.cast(new SweptCircle(ball, new Vec2(-1, 0)), 14)).isEmpty();
+    assertThat(world.cast(new SweptCircle(new Circle(4, 0, 1), new Vec2(20, 0)), 100)).isEmpty();
     finish(world, 4);
-    assertThat(world.cast(ball, new Vec2(-1, 0), 100).orElseThrow().time()).isEqualTo(15);
+    assertThat(world.cast(new SweptCircle(ball, new Vec2(-1, 0)), 100).orElseThrow().time())
+        .isEqualTo(15);
     Casts casts = new Casts();
     casts.add(20, 0, 1, -1, 0);
     casts.add(-20, 0, 1, 1, 0);
@@ -392,7 +393,7 @@ class MoveToTest {
           new World(scene.line(-20, -5, 20, -5).circle(ball.x(), 4, 0.5, v.x(), v.y()).build());
       world.moveTo(Kind.LINE, 0, 3 * random.nextGaussian(), -10, 1 + random.nextDouble());
       world.moveTo(Kind.LINE, 1, -20, -6 * random.nextDouble(), 1 + 2 * random.nextDouble());
-      Trajectory path = world.trace(ball, v, 1, 5, 1000);
+      Trajectory path = world.trace(0, v.x(), v.y(), 5, 1000);
       for (int k = 1; k <= 50; k++) {
         finish(world, k / 10.0);
         assertThat(path.at(k / 10.0).x()).as("%s at %s", i, k).isCloseTo(world.x(0), within(1e-9));

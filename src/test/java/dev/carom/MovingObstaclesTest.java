@@ -314,20 +314,21 @@ class MovingObstaclesTest {
     World world =
         world(Scene.builder().line(0, -10, 0, 10).velocity(3, 0).peg(0, 50, 1).velocity(0, 2));
     finish(world, 4);
-    assertThat(world.nearest(Kind.LINE, 12, 0)).isZero();
+    assertThat(world.nearest(12, 0, Kind.LINE).map(Nearest::id).orElse(-1)).isZero();
     assertThat(world.overlapping(Kind.LINE, new Circle(12, 0, 0.5))).containsExactly(0);
     assertThat(world.overlapping(Kind.LINE, new Circle(0, 0, 0.5))).isEmpty();
     assertThat(world.overlapping(Kind.PEG, new Bounds(-1, 57, 1, 58))).containsExactly(0);
-    Impact impact = world.cast(new Circle(22, 0, 1), new Vec2(0, 0), 10).orElseThrow();
+    Impact impact =
+        world.cast(new SweptCircle(new Circle(22, 0, 1), new Vec2(0, 0)), 10).orElseThrow();
     assertThat(impact.time()).isEqualTo(3);
     assertThat(impact.point()).as("where it is then").isEqualTo(new Vec2(21, 0));
     assertThat(impact.approachSpeed()).isEqualTo(3);
-    Trajectory path = world.trace(new Circle(22, 0, 1), new Vec2(-6, 0), 1, 2, 5);
+    Trajectory path = world.trace(new SweptCircle(new Circle(22, 0, 1), new Vec2(-6, 0)), 1, 2, 5);
     assertThat(path.impacts().get(0).time()).isEqualTo(1);
     assertThat(path.velocityAt(1.5)).isEqualTo(new Vec2(12, 0));
     assertThat(path.impacts().get(0).point()).isEqualTo(new Vec2(15, 0));
     Circle asker = new Circle(0, 64, 1);
-    assertThat(world.cast(asker, new Vec2(0, -2), 10).orElseThrow().point())
+    assertThat(world.cast(new SweptCircle(asker, new Vec2(0, -2)), 10).orElseThrow().point())
         .isEqualTo(new Vec2(0, 61));
   }
 
@@ -343,10 +344,16 @@ class MovingObstaclesTest {
     assertThat(ofCircle.point()).isEqualTo(new Vec2(21, 0));
     assertThat(resting.withAcceleration(0, -1).cast(other, 10)).isEmpty();
     SceneBuilder scene = Scene.builder().collide(true).circle(12, 0, 1, 4, 0);
-    Impact ofWorld = world(scene).cast(circle, Vec2.ZERO, 10).orElseThrow();
+    Impact ofWorld = world(scene).cast(new SweptCircle(circle, Vec2.ZERO), 10).orElseThrow();
     assertThat(ofWorld.point()).isEqualTo(new Vec2(21, 0));
     World still = world(Scene.builder().line(12, -10, 12, 10).velocity(3, 0));
-    assertThat(still.scene().resolver().cast(circle, Vec2.ZERO, 10).orElseThrow().point())
+    assertThat(
+            still
+                .scene()
+                .resolver()
+                .cast(new SweptCircle(circle, Vec2.ZERO), 10)
+                .orElseThrow()
+                .point())
         .isEqualTo(new Vec2(21, 0));
   }
 

@@ -58,13 +58,14 @@ class NullTest {
         call("obstacles[0]", () -> Resolver.of(Collections.<Obstacle>singletonList(null))),
         call("velocities", () -> Resolver.respond(0, 0, 1, 1, 1, 1, 1, null)),
         call("normal", () -> V.reflect(null, 1)),
-        call("circle", () -> RESOLVER.cast(null, V, 1)),
-        call("velocity", () -> RESOLVER.cast(CIRCLE, null, 1)),
-        call("circle", () -> RESOLVER.trace(null, V, 1)),
-        call("velocity", () -> RESOLVER.trace(CIRCLE, null, 1)),
-        call("point", () -> RESOLVER.nearest(null)),
-        call("disk", () -> RESOLVER.overlapping((Circle) null)),
-        call("box", () -> RESOLVER.overlapping((Bounds) null)));
+        call("circle", () -> RESOLVER.cast((SweptCircle) null, 1)),
+        call("circle", () -> RESOLVER.trace(null, 1, 1, 1)),
+        call("casts", () -> RESOLVER.cast((Casts) null, 1)),
+        call("filter", () -> RESOLVER.withFilter(null)),
+        call("kinds", () -> RESOLVER.nearest(1, 2, (Kind[]) null)),
+        call("kinds[1]", () -> RESOLVER.nearest(1, 2, Kind.LINE, null)),
+        call("disk", () -> RESOLVER.overlapping(Kind.LINE, (Circle) null)),
+        call("box", () -> RESOLVER.overlapping(Kind.LINE, (Bounds) null)));
   }
 
   private static List<Arguments> worlds() {
@@ -74,11 +75,9 @@ class NullTest {
         call("kind", () -> WORLD.contains(null, 0)),
         call("kind", () -> WORLD.idLimit(null)),
         call("kind", () -> WORLD.ids(null)),
-        call("circle", () -> WORLD.cast(null, V, 1)),
-        call("velocity", () -> WORLD.cast(CIRCLE, null, 1)),
-        call("circle", () -> WORLD.trace(null, V, 1, 1, 1)),
-        call("velocity", () -> WORLD.trace(CIRCLE, null, 1, 1, 1)),
-        call("kind", () -> WORLD.nearest(null, 1, 2)),
+        call("circle", () -> WORLD.cast((SweptCircle) null, 1)),
+        call("circle", () -> WORLD.trace(null, 1, 1, 1)),
+        call("filter", () -> WORLD.withFilter(null)),
         call("kind", () -> WORLD.overlapping(null, CIRCLE)),
         call("kind", () -> WORLD.overlapping(null, new Bounds(0, 0, 1, 1))),
         call("disk", () -> WORLD.overlapping(Kind.LINE, (Circle) null)),

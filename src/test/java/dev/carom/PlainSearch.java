@@ -218,7 +218,7 @@ abstract class PlainSearch extends PlainState {
   /** When a circle that is not there would first hit something but a sensor. */
   double cast(Circle circle, Vec2 v, int category, int mask) {
     long filter = FilterBits.of(category, mask);
-    MovingCircle m = new SweptCircle(circle, v).body(1);
+    MovingCircle m = new SweptCircle(circle, v).load(new MovingCircle(), 1);
     double first = NEVER;
     obstacles.beginQuestion(now);
     for (int code : codes()) {

@@ -28,8 +28,12 @@ class PointParticlesTest {
     world.step(4);
     assertThat(world.impacts().size()).isZero();
     assertThat(world.x(0)).isEqualTo(60);
-    assertThat(world.cast(new Circle(0, 50, 0), new Vec2(1, 0), 30)).isEmpty();
-    assertThat(world.cast(new Circle(20, 50, 1), new Vec2(10, 0), 30).orElseThrow().kind())
+    assertThat(world.cast(new SweptCircle(new Circle(0, 50, 0), new Vec2(1, 0)), 30)).isEmpty();
+    assertThat(
+            world
+                .cast(new SweptCircle(new Circle(20, 50, 1), new Vec2(10, 0)), 30)
+                .orElseThrow()
+                .kind())
         .isEqualTo(Kind.CIRCLE);
   }
 

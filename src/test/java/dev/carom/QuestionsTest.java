@@ -162,9 +162,11 @@ class QuestionsTest {
     double factor = Math.scalb(1.0, random.nextInt(20) - 10);
     Vec2 v = new Vec2(factor * speed(random, unit), factor * speed(random, unit));
     double maxTime = random.nextInt(3) == 0 ? NEVER : 40 * random.nextDouble();
-    Optional<Impact> hit = worlds.compare(world -> world.cast(disk, v, maxTime));
-    hit.ifPresent(impact -> worlds.compare(world -> world.cast(disk, v, impact.time())));
-    worlds.compare(world -> world.cast(disk, v, maxTime, 1, 1));
+    Optional<Impact> hit = worlds.compare(world -> world.cast(new SweptCircle(disk, v), maxTime));
+    hit.ifPresent(
+        impact -> worlds.compare(world -> world.cast(new SweptCircle(disk, v), impact.time())));
+    worlds.compare(
+        world -> world.withFilter(new Filter(1, 1)).cast(new SweptCircle(disk, v), maxTime));
   }
 
   @ParameterizedTest
@@ -228,20 +230,25 @@ class QuestionsTest {
         random.nextInt(6) == 0 ? new Circle(line.ax() + r, line.ay(), r) : new Circle(x, y, r);
     Vec2 v = new Vec2(speed(random, unit), speed(random, unit));
     double maxTime = random.nextInt(3) == 0 ? NEVER : 40 * random.nextDouble();
-    Optional<Impact> hit = worlds.compare(world -> world.cast(disk, v, maxTime));
-    hit.ifPresent(impact -> worlds.compare(world -> world.cast(disk, v, impact.time())));
-    worlds.compare(world -> world.trace(disk, v, 0.9, 30, 12));
+    Optional<Impact> hit = worlds.compare(world -> world.cast(new SweptCircle(disk, v), maxTime));
+    hit.ifPresent(
+        impact -> worlds.compare(world -> world.cast(new SweptCircle(disk, v), impact.time())));
+    worlds.compare(world -> world.trace(new SweptCircle(disk, v), 0.9, 30, 12));
     Bounds box = new Bounds(x - 3 * unit, y - 5 * unit, x + random.nextDouble() * unit, y + unit);
     for (Kind kind : Kind.values()) {
-      worlds.compare(world -> world.nearest(kind, x, y));
+      worlds.compare(world -> world.nearest(x, y, kind).map(Nearest::id).orElse(-1));
       worlds.compare(world -> list(world.overlapping(kind, disk)));
       worlds.compare(world -> list(world.overlapping(kind, box)));
-      worlds.compare(world -> world.nearest(kind, x, y, 4, 2));
-      worlds.compare(world -> list(world.overlapping(kind, disk, 1, 1)));
-      worlds.compare(world -> list(world.overlapping(kind, box, 4, 2)));
+      worlds.compare(
+          world ->
+              world.withFilter(new Filter(4, 2)).nearest(x, y, kind).map(Nearest::id).orElse(-1));
+      worlds.compare(world -> list(world.withFilter(new Filter(1, 1)).overlapping(kind, disk)));
+      worlds.compare(world -> list(world.withFilter(new Filter(4, 2)).overlapping(kind, box)));
     }
-    worlds.compare(world -> world.cast(disk, v, maxTime, 1, 1));
-    worlds.compare(world -> world.trace(disk, v, 0.9, 30, 12, 4, 2));
+    worlds.compare(
+        world -> world.withFilter(new Filter(1, 1)).cast(new SweptCircle(disk, v), maxTime));
+    worlds.compare(
+        world -> world.withFilter(new Filter(4, 2)).trace(new SweptCircle(disk, v), 0.9, 30, 12));
   }
 
   private static List<Integer> list(int[] ids) {
@@ -262,12 +269,18 @@ class QuestionsTest {
         Vec2 v = new Vec2(speed(random, unit), speed(random, unit));
         Bounds box = new Bounds(x, y - 5 * unit, x + 9 * random.nextDouble() * unit, y + unit);
         Resolver plain = scene.resolver(); // too few questions for an index
-        assertThat(resolver.cast(disk, v, 9)).isEqualTo(plain.cast(disk, v, 9));
-        assertThat(resolver.trace(disk, v, 9)).isEqualTo(plain.trace(disk, v, 9));
-        Vec2 point = new Vec2(x, y);
-        assertThat(resolver.nearest(point)).isEqualTo(plain.nearest(point));
-        assertThat(resolver.overlapping(disk)).isEqualTo(plain.overlapping(disk));
-        assertThat(resolver.overlapping(box)).isEqualTo(plain.overlapping(box));
+        assertThat(resolver.cast(new SweptCircle(disk, v), 9))
+            .isEqualTo(plain.cast(new SweptCircle(disk, v), 9));
+        SweptCircle falling =
+            new SweptCircle(disk, v).withAcceleration(speed(random, unit), speed(random, unit));
+        assertThat(resolver.cast(falling, 9)).isEqualTo(plain.cast(falling, 9));
+        assertThat(resolver.trace(new SweptCircle(disk, v), 1, 9, Integer.MAX_VALUE))
+            .isEqualTo(plain.trace(new SweptCircle(disk, v), 1, 9, Integer.MAX_VALUE));
+        assertThat(resolver.nearest(x, y)).isEqualTo(plain.nearest(x, y));
+        for (Kind kind : Kind.values()) {
+          assertThat(resolver.overlapping(kind, disk)).isEqualTo(plain.overlapping(kind, disk));
+          assertThat(resolver.overlapping(kind, box)).isEqualTo(plain.overlapping(kind, box));
+        }
       }
     }
   }
@@ -291,7 +304,8 @@ class QuestionsTest {
         before = PrecisionCounter.PARABOLAS.count();
       }
       Circle ray = new Circle(500 * random.nextDouble(), 500 * random.nextDouble(), 0);
-      world.cast(ray, new Vec2(random.nextGaussian(), random.nextGaussian()), NEVER);
+      world.cast(
+          new SweptCircle(ray, new Vec2(random.nextGaussian(), random.nextGaussian())), NEVER);
     }
     assertThat(PrecisionCounter.PARABOLAS.count() - before).isLessThan(200L * casts);
   }
@@ -333,8 +347,8 @@ class QuestionsTest {
         Circle disk = new Circle(place(random, 1), place(random, 1), i % 2 * radius(random, 1));
         Vec2 v = new Vec2(speed(random, 1), speed(random, 1));
         assertThat(casts.add(disk.x(), disk.y(), disk.radius(), v.x(), v.y())).isEqualTo(i);
-        ofWorld.add(world.cast(disk, v, 15));
-        ofResolver.add(resolver.cast(disk, v, 15));
+        ofWorld.add(world.cast(new SweptCircle(disk, v), 15));
+        ofResolver.add(resolver.cast(new SweptCircle(disk, v), 15));
       }
       world.cast(casts, 15);
       assertAnswers(casts, ofWorld);
@@ -422,7 +436,8 @@ class QuestionsTest {
     List<Optional<Impact>> hits = new ArrayList<>();
     for (int i = 0; i < 200; i++) {
       Circle circle = new Circle(place(random, 1), place(random, 1), radius(random, 1));
-      hits.add(resolver.cast(circle, new Vec2(speed(random, 1), speed(random, 1)), 50));
+      hits.add(
+          resolver.cast(new SweptCircle(circle, new Vec2(speed(random, 1), speed(random, 1))), 50));
     }
     return hits;
   }

@@ -24,18 +24,20 @@ class ResolverTest {
   void aCastForEverEndsWithOrWithoutAnImpact() {
     Resolver resolver = Resolver.of(List.of(FLOOR));
     Circle circle = new Circle(0, 10, 1);
-    assertThat(resolver.cast(circle, DOWN, FOREVER).orElseThrow().time()).isEqualTo(9);
-    assertThat(resolver.cast(circle, new Vec2(0, 1), FOREVER)).isEmpty();
+    assertThat(resolver.cast(new SweptCircle(circle, DOWN), FOREVER).orElseThrow().time())
+        .isEqualTo(9);
+    assertThat(resolver.cast(new SweptCircle(circle, new Vec2(0, 1)), FOREVER)).isEmpty();
     World world = new World(Scene.builder().line(-100, 0, 100, 0).build());
-    assertThat(world.cast(circle, DOWN, FOREVER).orElseThrow().time()).isEqualTo(9);
-    assertThat(world.cast(circle, new Vec2(0, 1), FOREVER)).isEmpty();
+    assertThat(world.cast(new SweptCircle(circle, DOWN), FOREVER).orElseThrow().time())
+        .isEqualTo(9);
+    assertThat(world.cast(new SweptCircle(circle, new Vec2(0, 1)), FOREVER)).isEmpty();
   }
 
   @Test
   void endpointsStandAmongThePegs() {
     Circle end = new Circle(0, 0, 0);
     Resolver resolver = Resolver.of(List.of(new Circle(0, 90, 1), end));
-    Impact impact = resolver.cast(new Circle(0, 10, 1), DOWN, 100).orElseThrow();
+    Impact impact = resolver.cast(new SweptCircle(new Circle(0, 10, 1), DOWN), 100).orElseThrow();
     assertThat(impact.kind()).isEqualTo(Kind.PEG);
     assertThat(impact.id()).isEqualTo(1);
   }
@@ -52,10 +54,12 @@ class ResolverTest {
   @Test
   void theWayEndsUnfinishedWhereTheBudgetIsSpent() {
     Resolver resolver = Resolver.of(List.of(new Bounds(0, 0, 3, 3)));
-    Trajectory way = resolver.trace(new Circle(1, 1.5, 1), new Vec2(1, 0), 1e6);
+    Trajectory way =
+        resolver.trace(
+            new SweptCircle(new Circle(1, 1.5, 1), new Vec2(1, 0)), 1, 1e6, Integer.MAX_VALUE);
     assertThat(way.complete()).isFalse();
-    assertThat(way.impacts()).hasSize(Resolver.IMPACTS_PER_TRACE);
-    assertThat(way.duration()).isEqualTo(Resolver.IMPACTS_PER_TRACE);
+    assertThat(way.impacts()).hasSize(Questions.IMPACTS_PER_TRACE);
+    assertThat(way.duration()).isEqualTo(Questions.IMPACTS_PER_TRACE);
     assertThat(way.end()).isEqualTo(new Vec2(1, 1.5));
   }
 
@@ -65,7 +69,12 @@ class ResolverTest {
   void aWayFromFarOffTurnsBackAtWhatItHitsHeadOn(double x, double vx, double duration) {
     for (Obstacle o : List.of(new Circle(0, 0, 1), new Circle(0, 0, 0))) {
       Trajectory way =
-          Resolver.of(List.of(o)).trace(new Circle(x, 0, 1), new Vec2(vx, 0), duration);
+          Resolver.of(List.of(o))
+              .trace(
+                  new SweptCircle(new Circle(x, 0, 1), new Vec2(vx, 0)),
+                  1,
+                  duration,
+                  Integer.MAX_VALUE);
       assertThat(way.impacts()).hasSize(1);
       assertThat(way.impacts().get(0).normal()).isEqualTo(new Vec2(Math.signum(x), 0));
       assertThat(way.complete()).isTrue();
@@ -77,7 +86,12 @@ class ResolverTest {
   @Test
   void aWayThatLeavesTheRangeOfDoublesEndsAtItsEdge() {
     Resolver resolver = Resolver.of(List.of(FLOOR));
-    Trajectory way = resolver.trace(new Circle(0, 10, 1), new Vec2(1e300, -1e300), 1e300);
+    Trajectory way =
+        resolver.trace(
+            new SweptCircle(new Circle(0, 10, 1), new Vec2(1e300, -1e300)),
+            1,
+            1e300,
+            Integer.MAX_VALUE);
     assertThat(way.impacts()).hasSize(1);
     assertThat(way.end()).isEqualTo(new Vec2(Double.MAX_VALUE, Double.MAX_VALUE));
     assertThat(way.points()).hasSize(3);
@@ -88,7 +102,9 @@ class ResolverTest {
   @ValueSource(doubles = {1e-18, 1e-100, 1e-300})
   void aRadiusFarBelowTheRoundingOfPlacesTurnsByTheDetectorsNormal(double radius) {
     Resolver resolver = Resolver.of(List.of(new Circle(1, 0, 0)));
-    Trajectory way = resolver.trace(new Circle(0, 0, radius), new Vec2(1, 0), 3);
+    Trajectory way =
+        resolver.trace(
+            new SweptCircle(new Circle(0, 0, radius), new Vec2(1, 0)), 1, 3, Integer.MAX_VALUE);
     assertThat(way.impacts()).hasSize(1);
     assertThat(way.impacts().get(0).normal()).isEqualTo(new Vec2(-1, 0));
     assertThat(way.velocityAt(3)).isEqualTo(new Vec2(-1, 0));
@@ -152,7 +168,9 @@ class ResolverTest {
     Vec2 velocity = new Vec2(1, 0);
     Vec2 truth = new SweptCircle(circle, velocity).cast(end, 20).orElseThrow().normal();
     assertThat(truth.y()).isBetween(0.5, 0.7);
-    Trajectory way = Resolver.of(List.of(end)).trace(circle, velocity, 20);
+    Trajectory way =
+        Resolver.of(List.of(end))
+            .trace(new SweptCircle(circle, velocity), 1, 20, Integer.MAX_VALUE);
     Vec2 normal = way.impacts().get(0).normal();
     assertThat(normal.x()).isCloseTo(truth.x(), within(1e-15));
     assertThat(normal.y()).isCloseTo(truth.y(), within(1e-15));
@@ -162,7 +180,12 @@ class ResolverTest {
   @Test
   void exactWorkIsPartOfTheBudget() {
     Resolver resolver = Resolver.of(List.of(new Line(0, 0, 8, 0x1p-1000), new Bounds(0, -9, 9, 4)));
-    Trajectory way = resolver.trace(new Circle(4, 2, 1), new Vec2(0, -0x1p260), 12_000 * 0x1p-259);
+    Trajectory way =
+        resolver.trace(
+            new SweptCircle(new Circle(4, 2, 1), new Vec2(0, -0x1p260)),
+            1,
+            12_000 * 0x1p-259,
+            Integer.MAX_VALUE);
     assertThat(way.complete()).isFalse();
     assertThat(way.impacts()).hasSizeBetween(10, 12_000);
   }

@@ -76,7 +76,7 @@ class SlideTest {
   void theEndOfASlideDoesNotEndAPath() {
     Resolver resolver = Scene.builder().gravity(0, -10).line(0, 0, 10, -1).build().resolver();
     for (int impacts : new int[] {2, 3}) {
-      Trajectory path = resolver.trace(new Circle(1, 3, 1), Vec2.ZERO, 0, 100, impacts);
+      Trajectory path = resolver.trace(new SweptCircle(1, 3, 1, 0, 0, 0, -10), 0, 100, impacts);
       assertThat(path.impacts()).hasSize(1);
       assertThat(path.complete()).isTrue();
       assertThat(path.duration()).isEqualTo(100);
@@ -109,7 +109,8 @@ class SlideTest {
       world.advanceTo(20);
       assertThat(world.x(0)).isCloseTo(expected.x(0), withinPercentage(0.1));
       assertThat(world.impacts().size()).isLessThan(expected.impacts().size() + 10);
-      Trajectory path = resolver.trace(start, Vec2.ZERO, 1, 20, 100);
+      Trajectory path =
+          resolver.trace(new SweptCircle(start, Vec2.ZERO).withAcceleration(0, -10), 1, 20, 100);
       assertThat(path.complete()).isTrue();
       assertThat(path.at(20).x()).isCloseTo(expected.x(0), withinPercentage(0.1));
     }
@@ -152,7 +153,7 @@ class SlideTest {
             .restitution(0)
             .build()
             .resolver();
-    Trajectory path = resolver.trace(new Circle(-1.68, 1.244, 0.5), Vec2.ZERO, 0, 100, 100);
+    Trajectory path = resolver.trace(new SweptCircle(-1.68, 1.244, 0.5, 0, 0, 0, -10), 0, 100, 100);
     assertThat(path.complete()).isTrue();
     assertThat(path.points().size()).isLessThan(60);
   }

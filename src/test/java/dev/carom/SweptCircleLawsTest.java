@@ -320,12 +320,16 @@ class SweptCircleLawsTest {
   @Test
   void reversedInTime() {
     Resolver resolver = Resolver.of(List.of(new Line(-16, -12, -8, -6)));
-    Trajectory there = resolver.trace(new Circle(-15, 20, 5), new Vec2(0, -25), 4);
+    Trajectory there =
+        resolver.trace(
+            new SweptCircle(new Circle(-15, 20, 5), new Vec2(0, -25)), 1, 4, Integer.MAX_VALUE);
     assertThat(there.impacts()).extracting(Impact::time).containsExactly(1.0);
     assertThat(there.end()).isEqualTo(new Vec2(-87, 16));
     assertThat(there.velocityAt(4)).isEqualTo(new Vec2(-24, 7));
 
-    Trajectory back = resolver.trace(new Circle(-87, 16, 5), new Vec2(24, -7), 4);
+    Trajectory back =
+        resolver.trace(
+            new SweptCircle(new Circle(-87, 16, 5), new Vec2(24, -7)), 1, 4, Integer.MAX_VALUE);
     assertThat(back.impacts()).extracting(Impact::time).containsExactly(3.0);
     assertThat(back.end()).isEqualTo(new Vec2(-15, 20));
     assertThat(back.velocityAt(4)).isEqualTo(new Vec2(0, 25));

@@ -114,13 +114,21 @@ final class ThreeWorlds {
     int category = world.traits(Kind.CIRCLE, id).filter().category();
     int mask = world.traits(Kind.CIRCLE, id).filter().mask();
     double maxTime = Double.POSITIVE_INFINITY;
-    Optional<Impact> first = world.cast(circle, v, maxTime, category, mask);
-    assertThat(twin.cast(circle, v, maxTime, category, mask)).isEqualTo(first);
+    Optional<Impact> first =
+        world.withFilter(new Filter(category, mask)).cast(new SweptCircle(circle, v), maxTime);
+    assertThat(
+            twin.withFilter(new Filter(category, mask)).cast(new SweptCircle(circle, v), maxTime))
+        .isEqualTo(first);
     double time = first.map(Impact::time).orElse(Double.POSITIVE_INFINITY);
     assertThat(plain.cast(circle, v, category, mask)).isEqualTo(time);
     if (time < Double.MAX_VALUE / 8) {
-      assertThat(twin.trace(circle, v, 1, 8 * time, IMPACTS, category, mask))
-          .isEqualTo(world.trace(circle, v, 1, 8 * time, IMPACTS, category, mask));
+      assertThat(
+              twin.withFilter(new Filter(category, mask))
+                  .trace(new SweptCircle(circle, v), 1, 8 * time, IMPACTS))
+          .isEqualTo(
+              world
+                  .withFilter(new Filter(category, mask))
+                  .trace(new SweptCircle(circle, v), 1, 8 * time, IMPACTS));
     }
   }
 

@@ -120,7 +120,8 @@ class TrajectoryTest {
   @Test
   void saysWhatItIsInOneLine() {
     Trajectory way =
-        Resolver.of(List.of(new Line(5, -9, 5, 9))).trace(new Circle(0, 0, 1), new Vec2(1, 0), 8);
+        Resolver.of(List.of(new Line(5, -9, 5, 9)))
+            .trace(new SweptCircle(new Circle(0, 0, 1), new Vec2(1, 0)), 1, 8, Integer.MAX_VALUE);
     assertThat(way).hasToString("Trajectory[duration=8.0, impacts=1, complete=true]");
   }
 }

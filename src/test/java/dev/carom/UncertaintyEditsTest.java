@@ -62,7 +62,7 @@ class UncertaintyEditsTest {
     for (id = 0; id < CIRCLES; id++) {
       double bound = uncertainty.bound(id);
       boolean isWide = bound > 0x1p-9 * RADIUS && bound < 0x1p-3 * RADIUS;
-      if (isWide && world.cast(circle(), velocity(), 2 * FREE).isEmpty()) {
+      if (isWide && world.cast(new SweptCircle(circle(), velocity()), 2 * FREE).isEmpty()) {
         return true;
       }
     }

@@ -37,16 +37,17 @@ class WorldQueriesTest {
     assertThat(impact.time()).isEqualTo(1.2);
     for (List<Obstacle> both :
         List.of(List.<Obstacle>of(later, within), List.<Obstacle>of(within, later))) {
-      assertThat(Resolver.of(both).cast(circle, v, 1.2))
+      assertThat(Resolver.of(both).cast(new SweptCircle(circle, v), 1.2))
           .map(hit -> SweptCircleAnswers.thing(both, hit))
           .contains(within);
     }
     World world =
         new World(
             Scene.builder().line(29.8, -5, 29.8, 5).line(within.ax(), -5, within.bx(), 5).build());
-    assertThat(world.cast(circle, v, 1.2).orElseThrow().id()).isEqualTo(1);
-    assertThat(world.cast(circle, v, Math.nextUp(1.2)).orElseThrow().id()).isEqualTo(1);
-    assertThat(world.cast(circle, v, Math.nextDown(1.2))).isEmpty();
+    assertThat(world.cast(new SweptCircle(circle, v), 1.2).orElseThrow().id()).isEqualTo(1);
+    assertThat(world.cast(new SweptCircle(circle, v), Math.nextUp(1.2)).orElseThrow().id())
+        .isEqualTo(1);
+    assertThat(world.cast(new SweptCircle(circle, v), Math.nextDown(1.2))).isEmpty();
   }
 
   /**
@@ -71,7 +72,8 @@ class WorldQueriesTest {
       int id = world.addCircle(5, falls ? falling + fallen : resting, 1, 0, 0, Traits.DEFAULT);
       world.setTraits(Kind.CIRCLE, id, world.traits(Kind.CIRCLE, id).withMass(falls ? 1 : NEVER));
     }
-    Impact impact = world.cast(new Circle(0, 0, 0), new Vec2(1, 0), NEVER).orElseThrow();
+    Impact impact =
+        world.cast(new SweptCircle(new Circle(0, 0, 0), new Vec2(1, 0)), NEVER).orElseThrow();
     assertThat(impact.time()).isEqualTo(4);
     return impact.id();
   }
@@ -91,7 +93,7 @@ class WorldQueriesTest {
       BigDecimal ty = timeOf99(circle.y(), vy);
       double end = Math.min(tx.doubleValue(), ty.doubleValue());
       BigDecimal least = tx.min(ty);
-      Optional<Impact> impact = world.cast(circle, new Vec2(vx, vy), end);
+      Optional<Impact> impact = world.cast(new SweptCircle(circle, new Vec2(vx, vy)), end);
       assertThat(impact.isPresent()).isEqualTo(least.compareTo(new BigDecimal(end)) <= 0);
       if (impact.isPresent()) {
         Vec2 normal = tx.compareTo(ty) <= 0 ? new Vec2(-1, 0) : new Vec2(0, -1);
@@ -121,7 +123,7 @@ class WorldQueriesTest {
           new Circle(800 * random.nextDouble(), 600 * random.nextDouble(), i % 7 * i % 40);
       Vec2 v = new Vec2(random.nextGaussian(), random.nextGaussian());
       double T = i % 2 == 0 ? NEVER : 200 * random.nextDouble();
-      Optional<Impact> first = world.cast(circle, v, T);
+      Optional<Impact> first = world.cast(new SweptCircle(circle, v), T);
       assertThat(first).isEqualTo(earliest(world, scene, circle, v, T));
       circles += first.filter(hit -> hit.kind() == Kind.CIRCLE).isPresent() ? 1 : 0;
     }
@@ -167,8 +169,9 @@ class WorldQueriesTest {
     SceneBuilder scene = room().circle(50, 50, 5, 0, 0);
     Circle asked = new Circle(20, 50, 5);
     Vec2 v = new Vec2(1, 0);
-    assertThat(new World(scene.build()).cast(asked, v, 50)).isEmpty();
-    Impact hit = new World(scene.collide(true).build()).cast(asked, v, 50).orElseThrow();
+    assertThat(new World(scene.build()).cast(new SweptCircle(asked, v), 50)).isEmpty();
+    Impact hit =
+        new World(scene.collide(true).build()).cast(new SweptCircle(asked, v), 50).orElseThrow();
     assertThat(hit.kind()).isEqualTo(Kind.CIRCLE);
     assertThat(hit.time()).isEqualTo(20);
   }
@@ -176,7 +179,11 @@ class WorldQueriesTest {
   @Test
   void aCircleOfTheWorldCanBeAskedFor() {
     World world = new World(room().collide(true).circle(20, 50, 5, 1, 0).build());
-    assertThat(world.cast(new Circle(20, 50, 5), new Vec2(1, 0), NEVER).orElseThrow().kind())
+    assertThat(
+            world
+                .cast(new SweptCircle(new Circle(20, 50, 5), new Vec2(1, 0)), NEVER)
+                .orElseThrow()
+                .kind())
         .isEqualTo(Kind.WALL);
   }
 
@@ -190,15 +197,13 @@ class WorldQueriesTest {
       Resolver resolver = scene.resolver();
       for (int id = 0; id < 20; id++) {
         Trajectory path =
-            world.trace(
-                (Circle) scene.shape(Kind.CIRCLE, id),
-                scene.velocity(Kind.CIRCLE, id),
-                1,
-                60,
-                1000);
+            world.trace(new SweptCircle((Circle) scene.shape(Kind.CIRCLE, id), scene.velocity(Kind.CIRCLE, id)), 1, 60, 1000);
         assertThat(
                 resolver.trace(
-                    (Circle) scene.shape(Kind.CIRCLE, id), scene.velocity(Kind.CIRCLE, id), 60))
+                    new SweptCircle((Circle) scene.shape(Kind.CIRCLE, id), scene.velocity(Kind.CIRCLE, id)),
+                    1,
+                    60,
+                    Integer.MAX_VALUE))
             .isEqualTo(path);
         assertThat(path.complete()).isTrue();
         assertThat(path.duration()).isEqualTo(60);
@@ -232,22 +237,29 @@ class WorldQueriesTest {
   @Test
   void aPathEndsAtItsImpactOfAGivenNumber() {
     World world = new World(room().build());
-    Trajectory path = world.trace(new Circle(50, 50, 5), new Vec2(3, 0), 1, 1000, 3);
+    Trajectory path =
+        world.trace(new SweptCircle(new Circle(50, 50, 5), new Vec2(3, 0)), 1, 1000, 3);
     assertThat(path.impacts()).extracting(Impact::time).containsExactly(15.0, 45.0, 75.0);
     assertThat(path.duration()).isEqualTo(75);
     assertThat(path.end()).isEqualTo(new Vec2(95, 50));
-    Trajectory none = world.trace(new Circle(50, 50, 5), new Vec2(3, 0), 1, 1000, 0);
+    Trajectory none =
+        world.trace(new SweptCircle(new Circle(50, 50, 5), new Vec2(3, 0)), 1, 1000, 0);
     assertThat(none.impacts()).isEmpty();
     assertThat(none.duration()).isZero();
-    Trajectory one = world.trace(new Circle(50, 50, 5), new Vec2(3, 0), 1, 1000, 1);
+    Trajectory one =
+        world.trace(new SweptCircle(new Circle(50, 50, 5), new Vec2(3, 0)), 1, 1000, 1);
     Impact hit = one.impacts().get(0);
-    assertThat(world.cast(new Circle(50, 50, 5), new Vec2(3, 0), 1000))
+    assertThat(world.cast(new SweptCircle(new Circle(50, 50, 5), new Vec2(3, 0)), 1000))
         .hasValue(named(hit, Kind.WALL, hit.id()));
     assertThat(hit.impulse()).as("of mass 1").isEqualTo(6);
     assertThat(one.duration()).isEqualTo(15);
     assertThat(one.velocityAt(15)).isEqualTo(new Vec2(-3, 0));
-    assertThat(world.trace(new Circle(50, 50, 5), new Vec2(3, 0), 1, 15, 9)).isEqualTo(one);
-    assertThat(world.trace(new Circle(50, 50, 5), new Vec2(3, 0), 1, 10, 5).duration())
+    assertThat(world.trace(new SweptCircle(new Circle(50, 50, 5), new Vec2(3, 0)), 1, 15, 9))
+        .isEqualTo(one);
+    assertThat(
+            world
+                .trace(new SweptCircle(new Circle(50, 50, 5), new Vec2(3, 0)), 1, 10, 5)
+                .duration())
         .isEqualTo(10);
   }
 
@@ -273,18 +285,20 @@ class WorldQueriesTest {
     scene.peg(80, 50, 2).circle(30, 80, 5, 1, 0).circle(60, 80, 5, 0, 0);
     World world = new World(scene.build());
     world.step(10);
-    assertThat(world.nearest(Kind.LINE, 15, 19)).isZero();
-    assertThat(world.nearest(Kind.LINE, 15, 20)).as("equally near").isZero();
-    assertThat(world.nearest(Kind.LINE, 15, 21)).isEqualTo(1);
-    assertThat(world.nearest(Kind.PEG, 68, 50)).isZero();
-    assertThat(world.nearest(Kind.PEG, 70, 50)).isEqualTo(1);
-    assertThat(world.nearest(Kind.CIRCLE, 49, 80)).isZero();
-    assertThat(world.nearest(Kind.CIRCLE, 51, 80)).isEqualTo(1);
-    assertThat(world.nearest(Kind.WALL, 50, 90)).isEqualTo(Codes.TOP);
-    assertThat(world.nearest(Kind.WALL, 3, 90)).isEqualTo(Codes.LEFT);
+    assertThat(world.nearest(15, 19, Kind.LINE).map(Nearest::id).orElse(-1)).isZero();
+    assertThat(world.nearest(15, 20, Kind.LINE).map(Nearest::id).orElse(-1))
+        .as("equally near")
+        .isZero();
+    assertThat(world.nearest(15, 21, Kind.LINE).map(Nearest::id).orElse(-1)).isEqualTo(1);
+    assertThat(world.nearest(68, 50, Kind.PEG).map(Nearest::id).orElse(-1)).isZero();
+    assertThat(world.nearest(70, 50, Kind.PEG).map(Nearest::id).orElse(-1)).isEqualTo(1);
+    assertThat(world.nearest(49, 80, Kind.CIRCLE).map(Nearest::id).orElse(-1)).isZero();
+    assertThat(world.nearest(51, 80, Kind.CIRCLE).map(Nearest::id).orElse(-1)).isEqualTo(1);
+    assertThat(world.nearest(50, 90, Kind.WALL).map(Nearest::id).orElse(-1)).isEqualTo(Codes.TOP);
+    assertThat(world.nearest(3, 90, Kind.WALL).map(Nearest::id).orElse(-1)).isEqualTo(Codes.LEFT);
     World empty = new World(Scene.builder().build());
     for (Kind kind : Kind.values()) {
-      assertThat(empty.nearest(kind, 0, 0)).isEqualTo(-1);
+      assertThat(empty.nearest(0, 0, kind).map(Nearest::id).orElse(-1)).isEqualTo(-1);
     }
   }
 
@@ -296,22 +310,22 @@ class WorldQueriesTest {
   void badQuestionsAreRefused() {
     World world = new World(room().build());
     Circle circle = new Circle(1, 1, 1);
-    assertThatThrownBy(() -> world.cast(circle, Vec2.ZERO, -1))
+    assertThatThrownBy(() -> world.cast(new SweptCircle(circle, Vec2.ZERO), -1))
         .isInstanceOf(IllegalArgumentException.class)
         .hasMessageContaining("maxTime is -1.0");
-    assertThatThrownBy(() -> world.trace(circle, Vec2.ZERO, 1, NEVER, 1))
+    assertThatThrownBy(() -> world.trace(new SweptCircle(circle, Vec2.ZERO), 1, NEVER, 1))
         .isInstanceOf(IllegalArgumentException.class)
         .hasMessageContaining("duration is Infinity");
-    assertThatThrownBy(() -> world.trace(circle, Vec2.ZERO, -1, 1, 1))
+    assertThatThrownBy(() -> world.trace(new SweptCircle(circle, Vec2.ZERO), -1, 1, 1))
         .isInstanceOf(IllegalArgumentException.class)
         .hasMessageContaining("restitution is -1.0");
-    assertThatThrownBy(() -> world.trace(circle, Vec2.ZERO, 1, 1, -1))
+    assertThatThrownBy(() -> world.trace(new SweptCircle(circle, Vec2.ZERO), 1, 1, -1))
         .isInstanceOf(IllegalArgumentException.class)
         .hasMessageContaining("impacts is -1: expected at least 0");
-    assertThatThrownBy(() -> world.nearest(Kind.LINE, Double.NaN, 0))
+    assertThatThrownBy(() -> world.nearest(Double.NaN, 0, Kind.LINE).map(Nearest::id).orElse(-1))
         .isInstanceOf(IllegalArgumentException.class)
         .hasMessageContaining("x is NaN");
-    assertThatThrownBy(() -> world.nearest(Kind.LINE, 0, Double.NaN))
+    assertThatThrownBy(() -> world.nearest(0, Double.NaN, Kind.LINE).map(Nearest::id).orElse(-1))
         .isInstanceOf(IllegalArgumentException.class)
         .hasMessageContaining("y is NaN");
   }
@@ -321,13 +335,16 @@ class WorldQueriesTest {
   /** So many questions that later ones use an index. */
   private static void askOften(World world) {
     for (int i = 0; i < 1_000; i++) {
-      world.nearest(Kind.PEG, i % 100, 50);
-      world.cast(new Circle(i % 100, 50, 0.5), new Vec2(0, 1), 1);
+      world.nearest(i % 100, 50, Kind.PEG).map(Nearest::id).orElse(-1);
+      world.cast(new SweptCircle(new Circle(i % 100, 50, 0.5), new Vec2(0, 1)), 1);
     }
   }
 
   private static int hit(World world, double x) {
-    return world.cast(new Circle(x, -50, 0.5), new Vec2(0, 1), 200).map(Impact::id).orElse(-1);
+    return world
+        .cast(new SweptCircle(new Circle(x, -50, 0.5), new Vec2(0, 1)), 200)
+        .map(Impact::id)
+        .orElse(-1);
   }
 
   @Test
@@ -338,13 +355,13 @@ class WorldQueriesTest {
     }
     World world = new World(scene.build());
     askOften(world);
-    assertThat(world.nearest(Kind.PEG, 4, 4)).isZero();
+    assertThat(world.nearest(4, 4, Kind.PEG).map(Nearest::id).orElse(-1)).isZero();
     assertThat(hit(world, 5)).isEqualTo(-1);
     int added = world.addPeg(5, 5, 2, Traits.DEFAULT);
-    assertThat(world.nearest(Kind.PEG, 4, 4)).isEqualTo(added);
+    assertThat(world.nearest(4, 4, Kind.PEG).map(Nearest::id).orElse(-1)).isEqualTo(added);
     assertThat(hit(world, 5)).isEqualTo(added);
     world.setShape(Kind.PEG, added, new Circle(15, 5, 2));
-    assertThat(world.nearest(Kind.PEG, 4, 4)).isZero();
+    assertThat(world.nearest(4, 4, Kind.PEG).map(Nearest::id).orElse(-1)).isZero();
     assertThat(hit(world, 5)).isEqualTo(-1);
     assertThat(hit(world, 15)).isEqualTo(added);
     world.remove(Kind.PEG, added);
@@ -352,7 +369,7 @@ class WorldQueriesTest {
     askOften(world);
     world.setVelocity(Kind.PEG, 0, 1, 0);
     world.step(5);
-    assertThat(world.nearest(Kind.PEG, 4, 4)).isZero();
+    assertThat(world.nearest(4, 4, Kind.PEG).map(Nearest::id).orElse(-1)).isZero();
     assertThat(hit(world, 0)).as("the peg above it").isEqualTo(10);
   }
 }

@@ -17,6 +17,7 @@ import dev.carom.SceneBuilder;
 import dev.carom.SceneFormatException;
 import dev.carom.Snapshot;
 import dev.carom.SnapshotBytes;
+import dev.carom.SweptCircle;
 import dev.carom.Timeline;
 import dev.carom.Trajectory;
 import dev.carom.Uncertainty;
@@ -232,14 +233,21 @@ final class BadArguments {
             Map.entry(Snapshot.class, List.of(() -> stepped(true).snapshot())),
             Map.entry(Timeline.class, List.of(BadArguments::timeline)),
             Map.entry(Uncertainty.class, List.of(() -> stepped(false).uncertainty(1))),
-            Map.entry(Trajectory.class, List.of(() -> scene(true).resolver().trace(CIRCLE, V, 30))),
+            Map.entry(
+                Trajectory.class,
+                List.of(
+                    () ->
+                        scene(true)
+                            .resolver()
+                            .trace(new SweptCircle(CIRCLE, V), 1, 30, Integer.MAX_VALUE))),
             Map.entry(ImpactLog.class, List.of(() -> stepped(true).impacts())),
             Map.entry(Line.class, List.of(() -> LINE, () -> new Line(0, 1e308, 1e308, 0))),
             Map.entry(Vec2.class, List.of(() -> V)),
             Map.entry(Circle.class, List.of(() -> CIRCLE)),
             Map.entry(Bounds.class, List.of(() -> BOX)),
             Map.entry(
-                Impact.class, List.of(() -> scene(true).resolver().cast(CIRCLE, V, 99).get())),
+                Impact.class,
+                List.of(() -> scene(true).resolver().cast(new SweptCircle(CIRCLE, V), 99).get())),
             Map.entry(SceneFormatException.class, List.of(BadArguments::badScene)));
     return all.getOrDefault(type, List.of());
   }

@@ -11,6 +11,7 @@ import dev.carom.Run;
 import dev.carom.Scene;
 import dev.carom.SceneBuilder;
 import dev.carom.Snapshot;
+import dev.carom.SweptCircle;
 import dev.carom.Timeline;
 import dev.carom.Traits;
 import dev.carom.Vec2;
@@ -105,7 +106,8 @@ class ExtremeWorldsTest {
         }
         default -> {
           Circle circle = new Circle(e.any(), e.any(), e.size());
-          assertThat(world.cast(circle, new Vec2(e.any(), e.any()), e.window())).isNotNull();
+          assertThat(world.cast(new SweptCircle(circle, new Vec2(e.any(), e.any())), e.window()))
+              .isNotNull();
           assertThat(world.overlapping(Kind.LINE, circle)).isNotNull();
         }
       }

@@ -194,8 +194,14 @@ class MagnitudeTest {
       Circle moved = new Circle(far - 32, far + k / 8.0, 9);
       Circle peg = new Circle(0, 0, 1);
       Vec2 v = new Vec2(3, 0.125);
-      Impact near = Resolver.of(List.of(peg)).trace(circle, v, 20).impacts().get(0);
-      Trajectory way = Resolver.of(List.of(new Circle(far, far, 1))).trace(moved, v, 20);
+      Impact near =
+          Resolver.of(List.of(peg))
+              .trace(new SweptCircle(circle, v), 1, 20, Integer.MAX_VALUE)
+              .impacts()
+              .get(0);
+      Trajectory way =
+          Resolver.of(List.of(new Circle(far, far, 1)))
+              .trace(new SweptCircle(moved, v), 1, 20, Integer.MAX_VALUE);
       Impact there = way.impacts().get(0);
       assertThat(there.time()).isEqualTo(near.time());
       Vec2 centre = way.points().get(1);

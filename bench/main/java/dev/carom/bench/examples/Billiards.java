@@ -7,6 +7,7 @@ import dev.carom.Kind;
 import dev.carom.Response;
 import dev.carom.Scene;
 import dev.carom.SceneBuilder;
+import dev.carom.SweptCircle;
 import dev.carom.Vec2;
 import dev.carom.World;
 import dev.carom.bench.charts.SceneDrawing;
@@ -90,7 +91,9 @@ public final class Billiards implements Example {
   Optional<Impact> target() {
     Circle cue = new Circle(world.x(CUE), world.y(CUE), RADIUS);
     boolean rests = world.vx(CUE) == 0 && world.vy(CUE) == 0;
-    return rests ? world.cast(cue, shot(), Double.POSITIVE_INFINITY) : Optional.empty();
+    return rests
+        ? world.cast(new SweptCircle(cue, shot()), Double.POSITIVE_INFINITY)
+        : Optional.empty();
   }
 
   private Vec2 shot() {

@@ -5,10 +5,11 @@ import dev.carom.Casts;
 import dev.carom.Circle;
 import dev.carom.Impact;
 import dev.carom.Kind;
-import dev.carom.Obstacle;
+import dev.carom.Nearest;
 import dev.carom.Resolver;
 import dev.carom.Scene;
 import dev.carom.SceneBuilder;
+import dev.carom.SweptCircle;
 import dev.carom.Trajectory;
 import dev.carom.Vec2;
 import dev.carom.World;
@@ -145,14 +146,14 @@ public class QuestionBenchmark {
   @Benchmark
   public Optional<Impact> cast(Lines lines) {
     int i = lines.next();
-    return lines.world.cast(lines.points[i], lines.velocities[i], FAR);
+    return lines.world.cast(new SweptCircle(lines.points[i], lines.velocities[i]), FAR);
   }
 
   /** The first impact of a ray, without a world. */
   @Benchmark
   public Optional<Impact> castOfResolver(Lines lines) {
     int i = lines.next();
-    return lines.resolver.cast(lines.points[i], lines.velocities[i], FAR);
+    return lines.resolver.cast(new SweptCircle(lines.points[i], lines.velocities[i]), FAR);
   }
 
   /** One of 10,000 rays of a lidar, asked in one call: the last distance. */
@@ -168,20 +169,22 @@ public class QuestionBenchmark {
   @OperationsPerInvocation(IMPACTS)
   public Trajectory trace(Lines lines) {
     int i = lines.next();
-    return lines.world.trace(lines.points[i], lines.velocities[i], 1, FAR, IMPACTS);
+    return lines.world.trace(
+        new SweptCircle(lines.points[i], lines.velocities[i]), 1, FAR, IMPACTS);
   }
 
   /** The line that is nearest to a point: its id. */
   @Benchmark
   public int nearest(Lines lines) {
     Circle point = lines.points[lines.next()];
-    return lines.world.nearest(Kind.LINE, point.x(), point.y());
+    return lines.world.nearest(point.x(), point.y(), Kind.LINE).map(Nearest::id).orElse(-1);
   }
 
   /** The nearest obstacle, without a world. */
   @Benchmark
-  public Optional<Obstacle> nearestOfResolver(Lines lines) {
-    return lines.resolver.nearest(lines.points[lines.next()].center());
+  public Optional<Nearest> nearestOfResolver(Lines lines) {
+    Circle point = lines.points[lines.next()];
+    return lines.resolver.nearest(point.x(), point.y());
   }
 
   /** The three or four lines that overlap a disk of radius 10: their ids. */
@@ -194,7 +197,7 @@ public class QuestionBenchmark {
   @Benchmark
   public Optional<Impact> castAmongCircles(Circles circles) {
     int i = circles.next();
-    return circles.world.cast(circles.points[i], circles.velocities[i], FAR);
+    return circles.world.cast(new SweptCircle(circles.points[i], circles.velocities[i]), FAR);
   }
 
   /** The same among circles that fall and collide. */

@@ -3,6 +3,7 @@ package dev.carom.bench.view;
 
 import dev.carom.Circle;
 import dev.carom.Line;
+import dev.carom.SweptCircle;
 import dev.carom.Trajectory;
 import dev.carom.Vec2;
 import dev.carom.World;
@@ -46,7 +47,9 @@ record Draft(Tool tool, Vec2 from, Vec2 to, double radius) {
   /** The way that a new circle would take among what stands still. */
   Trajectory way(Player player) {
     World world = player.look();
-    return world.trace(circle(), velocity(player), 1, LONG * player.frame(), IMPACTS);
+    Vec2 g = world.gravity();
+    SweptCircle drawn = new SweptCircle(circle(), velocity(player)).withAcceleration(g.x(), g.y());
+    return world.trace(drawn, 1, LONG * player.frame(), IMPACTS);
   }
 
   /** Adds it; a line or peg of no size is not meant. */

@@ -2,8 +2,10 @@
 package dev.carom.bench.view;
 
 import dev.carom.Circle;
+import dev.carom.Filter;
 import dev.carom.Kind;
 import dev.carom.Line;
+import dev.carom.Nearest;
 import dev.carom.Vec2;
 import dev.carom.World;
 
@@ -70,17 +72,22 @@ final class Grip {
   static Grip at(Player player, Vec2 point, double reach) {
     World world = player.look();
     Circle around = new Circle(point.x(), point.y(), reach);
-    int circle = last(world.overlapping(Kind.CIRCLE, around, -1, -1));
+    int circle = last(world.withFilter(Filter.ALL).overlapping(Kind.CIRCLE, around));
     if (circle >= 0) {
       Vec2 place = new Vec2(world.x(circle), world.y(circle));
       Vec2 velocity = new Vec2(world.vx(circle), world.vy(circle));
       return new Grip(player, Part.CIRCLE, circle, point, place, velocity);
     }
-    int peg = last(world.overlapping(Kind.PEG, around, -1, -1));
+    int peg = last(world.withFilter(Filter.ALL).overlapping(Kind.PEG, around));
     if (peg >= 0) {
       return new Grip(player, Part.PEG, peg, point, world.peg(peg).center(), Vec2.ZERO);
     }
-    int id = world.nearest(Kind.LINE, point.x(), point.y(), -1, -1);
+    int id =
+        world
+            .withFilter(Filter.ALL)
+            .nearest(point.x(), point.y(), Kind.LINE)
+            .map(Nearest::id)
+            .orElse(-1);
     if (id < 0 || distance(world.line(id).closestPoint(point), point) > reach) {
       return null;
     }

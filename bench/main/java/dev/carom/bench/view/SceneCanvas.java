@@ -2,6 +2,7 @@
 package dev.carom.bench.view;
 
 import dev.carom.Circle;
+import dev.carom.Filter;
 import dev.carom.Kind;
 import dev.carom.Scene;
 import dev.carom.Vec2;
@@ -316,7 +317,7 @@ final class SceneCanvas extends JComponent {
     }
     Vec2 at = plane(mouse);
     Circle around = new Circle(at.x(), at.y(), 1 / scale());
-    int[] circles = player.look().overlapping(Kind.CIRCLE, around, -1, -1);
+    int[] circles = player.look().withFilter(Filter.ALL).overlapping(Kind.CIRCLE, around);
     return circles.length == 0 ? List.of() : List.of(under(mouse).about().split("; "));
   }
 }

@@ -27,13 +27,15 @@ final class CastReach {
   private double[] velocities;
   private double[] accelerations;
 
-  // The sides of the cast now, and its velocity.
+  // The sides of the cast now, its velocity and its acceleration.
   private double left;
   private double bottom;
   private double right;
   private double top;
   private double vx;
   private double vy;
+  private double gx;
+  private double gy;
 
   /** The time from which, and the time until which, each gap looked at is closed. */
   private double from;
@@ -54,6 +56,8 @@ final class CastReach {
     top = m.y + reach;
     vx = m.vx;
     vy = m.vy;
+    gx = m.gx;
+    gy = m.gy;
   }
 
   /** A time before which the cast touches no circle of a node; infinite if it never does. */
@@ -63,10 +67,10 @@ final class CastReach {
     double[] v = velocities;
     from = 0;
     until = Double.MAX_VALUE;
-    close(p[k + BoxTree.LEFT] - right, vx - v[k + BoxTree.LEFT], -a(k + BoxTree.LEFT));
-    close(left - p[k + BoxTree.RIGHT], v[k + BoxTree.RIGHT] - vx, a(k + BoxTree.RIGHT));
-    close(p[k + BoxTree.BOTTOM] - top, vy - v[k + BoxTree.BOTTOM], -a(k + BoxTree.BOTTOM));
-    close(bottom - p[k + BoxTree.TOP], v[k + BoxTree.TOP] - vy, a(k + BoxTree.TOP));
+    close(p[k + BoxTree.LEFT] - right, vx - v[k + BoxTree.LEFT], gx - a(k + BoxTree.LEFT));
+    close(left - p[k + BoxTree.RIGHT], v[k + BoxTree.RIGHT] - vx, a(k + BoxTree.RIGHT) - gx);
+    close(p[k + BoxTree.BOTTOM] - top, vy - v[k + BoxTree.BOTTOM], gy - a(k + BoxTree.BOTTOM));
+    close(bottom - p[k + BoxTree.TOP], v[k + BoxTree.TOP] - vy, a(k + BoxTree.TOP) - gy);
     return from > until ? NEVER : from;
   }
 
@@ -79,10 +83,10 @@ final class CastReach {
   double entry(CastTarget c) {
     from = 0;
     until = Double.MAX_VALUE;
-    close(c.x - c.r - right, vx - c.vx, -c.gx);
-    close(left - (c.x + c.r), c.vx - vx, c.gx);
-    close(c.y - c.r - top, vy - c.vy, -c.gy);
-    close(bottom - (c.y + c.r), c.vy - vy, c.gy);
+    close(c.x - c.r - right, vx - c.vx, gx - c.gx);
+    close(left - (c.x + c.r), c.vx - vx, c.gx - gx);
+    close(c.y - c.r - top, vy - c.vy, gy - c.gy);
+    close(bottom - (c.y + c.r), c.vy - vy, c.gy - gy);
     return from > until ? NEVER : from;
   }
 

@@ -5,6 +5,7 @@ import dev.carom.internal.exact.RealRoot;
 import dev.carom.internal.state.CircleTable;
 import dev.carom.internal.state.MovingCircle;
 import dev.carom.internal.sweep.Contact;
+import dev.carom.internal.sweep.Coordinates;
 import dev.carom.internal.sweep.DiskSweep;
 import dev.carom.internal.sweep.Fall;
 import dev.carom.internal.sweep.FallSweep;
@@ -41,6 +42,11 @@ final class CastTarget {
     return gx != 0 || gy != 0;
   }
 
+  /** Whether a cast falls unlike this circle. */
+  private boolean falls(MovingCircle m) {
+    return m.gx != gx || m.gy != gy;
+  }
+
   /**
    * The correctly rounded time of a cast's first contact with this circle; infinite for none up to
    * a given end. It sets {@link #contact}.
@@ -50,7 +56,7 @@ final class CastTarget {
       contact = Contact.MISS;
       return NEVER; // two points do not meet
     }
-    if (isFalling()) {
+    if (falls(m)) {
       double t = FallSweep.time(fall(m), end);
       contact = t == 0 ? Contact.NOW : t < NEVER ? Contact.LATER : Contact.MISS;
       return t;
@@ -66,7 +72,7 @@ final class CastTarget {
 
   /** The exact time of a contact. */
   RealRoot exactTime(MovingCircle m, int itsContact) {
-    return isFalling()
+    return falls(m)
         ? FallSweep.exact(fall(m)).first(NEVER)
         : RealRoot.of(FallSweep.exactTime(fall(m), itsContact));
   }
@@ -74,18 +80,27 @@ final class CastTarget {
   /**
    * The hit at a cast's first contact.
    *
-   * @param hit what is set and returned if this circle does not fall
+   * @param hit what is set and returned
    */
   Hit hit(MovingCircle m, Hit hit) {
     double t = m.cleared;
+    hit.of(fall(m), m.contact, t);
     return isFalling()
-        ? hit.of(fall(m), m.contact, t)
-            .moved(MovingCircle.place(0, 0, gx, t), MovingCircle.place(0, 0, gy, t))
-        : hit.of(fall(m), m.contact, t);
+        ? hit.moved(MovingCircle.place(0, 0, gx, t), MovingCircle.place(0, 0, gy, t))
+        : hit;
   }
 
-  /** The cast as seen from this circle, which falls. */
+  /** The cast as seen from this circle, whose acceleration is taken off. */
   private Fall fall(MovingCircle m) {
-    return Fall.ofThread().flight(m.x, m.y, m.radius, m.vx, m.vy, -gx, -gy).disk(x, y, r, vx, vy);
+    return Fall.ofThread()
+        .flight(
+            m.x,
+            m.y,
+            m.radius,
+            m.vx,
+            m.vy,
+            Coordinates.within(m.gx - gx),
+            Coordinates.within(m.gy - gy))
+        .disk(x, y, r, vx, vy);
   }
 }

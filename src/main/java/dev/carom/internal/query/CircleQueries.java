@@ -45,7 +45,7 @@ public final class CircleQueries {
   /**
    * Finds the first contact of a cast with any circle but sensors, if it is exactly earlier than a
    * contact with an obstacle that was found before. Of exactly simultaneous ones the smallest code
-   * is first.
+   * is first. A circle of the world does not hit itself.
    *
    * @param m the circle that is cast, at the start; it holds the first contact with an obstacle
    *     until maxTime, if there is one, and receives the answer
@@ -53,7 +53,12 @@ public final class CircleQueries {
    * @param maxTime the end of the window, counted from now
    */
   public void first(MovingCircle m, Tracer tracer, double maxTime, double now) {
-    first.find(m, tracer, maxTime, now);
+    first.find(m, tracer, maxTime, now, true);
+  }
+
+  /** The same for a leg of a path, which starts at a later time. */
+  void firstOfLeg(MovingCircle m, Tracer tracer, double maxTime, double start) {
+    first.find(m, tracer, maxTime, start, false);
   }
 
   /** The hit of a cast on the circle that it found first; often the same object. */

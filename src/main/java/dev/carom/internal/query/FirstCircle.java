@@ -43,13 +43,17 @@ final class FirstCircle implements BoxTree.First {
     this.index = index;
   }
 
-  /** Finds the first circle that is hit before anything else, see {@link CircleQueries#first}. */
-  void find(MovingCircle cast, Tracer itsTracer, double until, double present) {
+  /**
+   * Finds the first circle that is hit before anything else, see {@link CircleQueries#first}.
+   *
+   * @param indexed whether the index is of that time; if not, each circle is tested
+   */
+  void find(MovingCircle cast, Tracer itsTracer, double until, double present, boolean indexed) {
     m = cast;
     tracer = itsTracer;
     maxTime = until;
     now = present;
-    if (index.tree() == null) {
+    if (!indexed || index.tree() == null) {
       testEach();
     } else {
       reach.start(m, index);
@@ -81,7 +85,8 @@ final class FirstCircle implements BoxTree.First {
   @Override
   public void look(int place) {
     target = index.circle(place);
-    if (!target.isFalling() || !(reach.entry(target) > limit())) {
+    boolean falls = target.isFalling() || m.isFalling();
+    if (!falls || !(reach.entry(target) > limit())) {
       test(index.tree().item(place));
     }
   }
@@ -93,7 +98,9 @@ final class FirstCircle implements BoxTree.First {
 
   /** Keeps the contact with a loaded circle if it is the first one. */
   private void test(int slot) {
-    if (registry.isSensor(slot) || !FilterBits.meet(m.filter, registry.filter(slot))) {
+    if (slot == m.id
+        || registry.isSensor(slot)
+        || !FilterBits.meet(m.filter, registry.filter(slot))) {
       return;
     }
     double limit = end();
@@ -120,7 +127,7 @@ final class FirstCircle implements BoxTree.First {
     }
     return Codes.isCircle(m.next)
         ? found.load(circles, Codes.slot(m.next), now).exactTime(m, m.contact)
-        : RealRoot.of(tracer.exactTime(m));
+        : tracer.exactTime(m);
   }
 
   Hit hit(MovingCircle cast, double present) {

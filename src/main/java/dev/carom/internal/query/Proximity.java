@@ -60,7 +60,8 @@ public final class Proximity {
     nearest.search(tree, x, y);
   }
 
-  private double distance(int code, double x, double y) {
+  /** The distance of a point from an obstacle. */
+  public double distance(int code, double x, double y) {
     if (Codes.isWall(code)) {
       return Math.abs((Codes.isVertical(code) ? x : y) - obstacles.walls[code]);
     }

@@ -1,14 +1,16 @@
 // SPDX-License-Identifier: Apache-2.0
 package dev.carom.internal.query;
 
+import dev.carom.internal.exact.Dyadic;
 import dev.carom.internal.exact.ExactBudget;
-import dev.carom.internal.exact.ExactTime;
+import dev.carom.internal.exact.RealRoot;
 import dev.carom.internal.response.LoneContact;
 import dev.carom.internal.response.ObstacleResponse;
 import dev.carom.internal.response.Shock;
 import dev.carom.internal.search.FlightSearch;
 import dev.carom.internal.search.Grid;
 import dev.carom.internal.search.ObstacleIndex;
+import dev.carom.internal.state.CircleRegistry;
 import dev.carom.internal.state.Codes;
 import dev.carom.internal.state.Gravity;
 import dev.carom.internal.state.ImpactRows;
@@ -27,8 +29,10 @@ public final class Tracer {
   private final ObstacleTable obstacles;
   private final ObstacleIndex index;
   private final FlightSearch search;
-  private final Gravity gravity;
   private final Hit hit = new Hit();
+
+  /** A circle for a cast. */
+  public final MovingCircle body = new MovingCircle();
 
   /** The row of a moving obstacle that is hit. */
   private final double[] placed = new double[ObstacleTable.MOST_NUMBERS + 1];
@@ -36,14 +40,14 @@ public final class Tracer {
   /** The grid for the circle that is followed, or null to test each obstacle. */
   private Grid grid;
 
-  public Tracer(ObstacleIndex index) {
-    this(index, new Gravity(0, 0));
-  }
+  /** The acceleration of that circle where nothing carries it. */
+  private Gravity gravity;
 
-  /** Makes a tracer of paths under gravity; the casts go straight on. */
-  public Tracer(ObstacleIndex index, Gravity gravity) {
+  /** The circles that it can meet; null to pass all of them. */
+  private CircleQueries circles;
+
+  public Tracer(ObstacleIndex index) {
     this.index = index;
-    this.gravity = gravity;
     obstacles = index.obstacles;
     search = index.search();
   }
@@ -59,6 +63,8 @@ public final class Tracer {
   public void first(MovingCircle body, double maxTime) {
     double x = body.x;
     double y = body.y;
+    double vx = body.vx;
+    double vy = body.vy;
     double arrival = obstacles.nextArrival();
     while (arrival < maxTime && !findFirst(body, arrival)) {
       arrive(body, arrival);
@@ -69,6 +75,8 @@ public final class Tracer {
     }
     body.x = x;
     body.y = y;
+    body.vx = vx;
+    body.vy = vy;
     body.cleared += body.t;
     body.t = 0;
   }
@@ -101,11 +109,11 @@ public final class Tracer {
 
   /** Whether a contact is exactly later than a time to which it rounds. */
   private boolean isLater(MovingCircle body, double time) {
-    return exactTime(body).compare(ExactTime.of(time)) > 0;
+    return exactTime(body).compare(Dyadic.of(time)) > 0;
   }
 
   /** The exact time of the contact that was found. */
-  ExactTime exactTime(MovingCircle body) {
+  RealRoot exactTime(MovingCircle body) {
     return search.exactTime(body);
   }
 
@@ -113,7 +121,7 @@ public final class Tracer {
   public Hit hit(MovingCircle m) {
     int code = m.next;
     double t = m.cleared;
-    Fall flight = Fall.ofThread().flight(m.x, m.y, m.radius, m.vx, m.vy, 0, 0);
+    Fall flight = Fall.ofThread().flight(m.x, m.y, m.radius, m.vx, m.vy, m.gx, m.gy);
     if (Codes.isWall(code)) {
       return hit.ofWall(flight, code, obstacles.walls[code], t);
     }
@@ -131,16 +139,29 @@ public final class Tracer {
   }
 
   /**
-   * The path until the given time, or until its impact of a given number, which is resolved.
+   * The path until the given time, until its impact of a given number, which is resolved, or until
+   * it meets a circle.
    *
-   * @param number that of the impact, at least 0; 0 ends it at the start
+   * @param itsGravity the acceleration of the circle where nothing carries it
+   * @param registry that of the circle; null for one of no world
+   * @param targets the circles of the world; null to pass them
+   * @param number that of the impact, sensors not counted, at least 0; 0 ends it at the start
    * @param most how many impacts and ends of slides a path may have; one with more ends there,
    *     incomplete
    */
-  public TracedPath trace(MovingCircle body, double duration, int number, int most) {
+  public TracedPath trace(
+      MovingCircle body,
+      Gravity itsGravity,
+      CircleRegistry registry,
+      CircleQueries targets,
+      double duration,
+      int number,
+      int most) {
     grid = index.grid(body.radius);
-    ObstacleResponse response = new ObstacleResponse(obstacles, null, gravity, this::addNear);
-    Shock shock = new Shock(null, obstacles, this::addNear, null);
+    gravity = itsGravity;
+    circles = targets;
+    ObstacleResponse response = new ObstacleResponse(obstacles, registry, gravity, this::addNear);
+    Shock shock = new Shock(registry, obstacles, this::addNear, null);
     response.ask(shock);
     LoneContact contact = new LoneContact(obstacles, null, gravity, this::addNear);
     DoubleList flights = new DoubleList();
@@ -149,32 +170,45 @@ public final class Tracer {
     add(body, flights);
     ExactBudget work = ExactBudget.ofThread();
     long before = work.bits();
-    while (impacts.size() < number && next(body, duration, contact, flights)) {
-      int count = impacts.size();
-      int done = flights.size() / TracedPath.FLIGHT - 1; // impacts and ends of slides
+    int count = 0;
+    for (int done = 0; count < number && next(body, duration, contact, flights); done++) {
       if (done > 0 && done + work.impactsSince(before) >= most) {
         return new TracedPath(flights, impacts, body.t, false);
       }
+      int rows = impacts.size();
+      int result = ObstacleResponse.NEW_FLIGHT;
       if (body.ticksNext()) {
         contact.tick(body, impacts);
-      } else if (body.isMember()) {
+      } else if (Codes.isCircle(body.next)) {
+        meet(body, impacts);
+        return new TracedPath(flights, impacts, body.after(body.cleared), true);
+      } else if (body.isMember() && !obstacles.isSensor(body.next)) {
         contact.meet(body, impacts);
       } else {
-        int result = response.resolve(body, impacts);
+        result = response.resolve(body, impacts);
         if (result == ObstacleResponse.JOIN) {
           contact.join(body, impacts);
         } else if (result == ObstacleResponse.STUCK) {
           shock.resolve(impacts, body);
-          impacts.cut(count + 1); // a contact counts once, whatever acts with it
+          impacts.cut(rows + 1); // a contact counts once, whatever acts with it
         }
       }
-      add(body, flights);
+      if (result != ObstacleResponse.SENSED) {
+        count += impacts.size() - rows;
+        add(body, flights);
+      }
     }
-    double end = impacts.size() < number ? duration : body.t;
-    return new TracedPath(flights, impacts, end, true);
+    return new TracedPath(flights, impacts, count < number ? duration : body.t, true);
   }
 
-  /** Looks for the next impact, past sensors; false if there is none until the given time. */
+  /** Writes the impact with a circle, which ends the path. */
+  private void meet(MovingCircle body, ImpactRows log) {
+    Hit at = circles.hit(body, obstacles.epoch() + body.t);
+    log.addPair(body.after(body.cleared), body.id, Codes.slot(body.next));
+    log.set(at.x(), at.y(), at.nx(), at.ny(), -at.approachSpeed());
+  }
+
+  /** Looks for the next impact; false if there is none until the given time. */
   private boolean next(MovingCircle body, double end, LoneContact contact, DoubleList flights) {
     double arrival = obstacles.nextArrival();
     while (arrival < end) {
@@ -185,6 +219,9 @@ public final class Tracer {
         add(body, flights);
       }
       arrive(body, arrival);
+      if (body.t < arrival) {
+        body.clearUpTo(arrival - body.t); // up to here it has met all sensors
+      }
       arrival = obstacles.nextArrival();
     }
     return comes(body, end);
@@ -193,7 +230,11 @@ public final class Tracer {
   /** Whether an impact or a tick comes until a time. */
   private boolean comes(MovingCircle body, double end) {
     do {
-      search.extendPastSensors(body, grid, end - body.t);
+      search.extend(body, grid, end - body.t);
+      if (circles != null) {
+        double until = Math.min(end, body.due()) - body.t;
+        circles.firstOfLeg(body, this, until, obstacles.epoch() + body.t);
+      }
       if (body.due() <= end && (body.next != MovingCircle.NOTHING || body.ticksNext())) {
         return true;
       }

@@ -2,6 +2,7 @@
 package dev.carom.internal.search;
 
 import dev.carom.internal.exact.Gaps;
+import dev.carom.internal.exact.RealRoot;
 import dev.carom.internal.state.CodeSet;
 import dev.carom.internal.state.Codes;
 import dev.carom.internal.state.MovingCircle;
@@ -56,6 +57,19 @@ abstract class FallTimes extends CellWalk {
     return code == body.last
         ? FallReturn.toWall(v, g, inward, to)
         : ParabolaWallSweep.time(isVertical ? px : py, r, v, g, obstacles.walls[code], inward, to);
+  }
+
+  @Override
+  RealRoot exactTime(int code, int contact, double t) {
+    if (!Codes.isWall(code)) {
+      chooseAny(code);
+      return FallSweep.exact(fall).at(t);
+    }
+    boolean isVertical = Codes.isVertical(code);
+    double v = isVertical ? vx : vy;
+    double g = isVertical ? fall.gx : fall.gy;
+    double wall = obstacles.walls[code];
+    return ParabolaWallSweep.exact(isVertical ? px : py, r, v, g, wall, Codes.inwards(code)).at(t);
   }
 
   /**

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 package dev.carom.internal.search;
 
+import dev.carom.internal.exact.RealRoot;
 import dev.carom.internal.state.FilterBits;
 import dev.carom.internal.state.IgnoreList;
 import dev.carom.internal.state.MovingCircle;
@@ -181,13 +182,20 @@ abstract class FirstImpact {
     if (isSensor != obstacles.isSensor(bestCode)) {
       return isSensor;
     }
-    int order = ordersExactly ? compareExactly(code, contact) : 0;
+    int order =
+        ordersExactly
+            ? exactTime(code, contact, best).compare(exactTime(bestCode, bestContact, best))
+            : 0;
     return order < 0 || (order == 0 && code < bestCode);
   }
 
-  /** The order of the exact times of an impact and of the best one; asked in casts only. */
-  int compareExactly(int code, int contact) {
-    return 0;
+  /** The exact time of an impact, which rounds to t; asked in casts only. */
+  abstract RealRoot exactTime(int code, int contact, double t);
+
+  /** The exact time of the next impact of a circle. */
+  final RealRoot exactTime(MovingCircle m) {
+    start(m);
+    return exactTime(m.next, m.contact, m.cleared);
   }
 
   /** The contact of the best impact. */

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 package dev.carom.internal.search;
 
-import dev.carom.internal.exact.ExactTime;
+import dev.carom.internal.exact.RealRoot;
 import dev.carom.internal.state.CodeSet;
 import dev.carom.internal.state.Codes;
 import dev.carom.internal.state.LiveCodes;
@@ -88,11 +88,6 @@ public final class FlightSearch {
     extend(m, grid, needed, false, false);
   }
 
-  /** The same, past sensors. */
-  public void extendPastSensors(MovingCircle m, Grid grid, double needed) {
-    extend(m, grid, needed, true, false);
-  }
-
   private void extend(
       MovingCircle m, Grid grid, double needed, boolean passesSensors, boolean ordersExactly) {
     if (m.mode == MovingCircle.AWAKE && (passesSensors || !obstacles.haveSensors())) {
@@ -157,8 +152,8 @@ public final class FlightSearch {
   }
 
   /**
-   * The same for a straight flight; impacts of equal rounded times are compared exactly. Among
-   * exactly equal times the smallest code is first.
+   * The same, where impacts of equal rounded times are compared exactly. Among exactly equal times
+   * the smallest code is first.
    */
   public void cast(MovingCircle m, Grid grid, double end) {
     first(m, grid, end, true);
@@ -170,9 +165,9 @@ public final class FlightSearch {
     } while (m.next == MovingCircle.NOTHING && m.cleared <= end && m.cleared < NEVER);
   }
 
-  /** The exact time of the next impact of a circle that flies straight on. */
-  public ExactTime exactTime(MovingCircle m) {
-    return straight.exactTime(m);
+  /** The exact time of the next impact of a circle. */
+  public RealRoot exactTime(MovingCircle m) {
+    return searchOf(m).exactTime(m);
   }
 
   /** Whether a flight, followed for ever from its start, meets a line or a peg. */

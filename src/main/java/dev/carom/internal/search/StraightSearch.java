@@ -3,7 +3,7 @@ package dev.carom.internal.search;
 
 import static dev.carom.internal.exact.Fma.fma;
 
-import dev.carom.internal.exact.ExactTime;
+import dev.carom.internal.exact.RealRoot;
 import dev.carom.internal.state.CodeSet;
 import dev.carom.internal.state.Codes;
 import dev.carom.internal.state.MovingCircle;
@@ -340,23 +340,14 @@ final class StraightSearch extends CellWalk {
   // Exact times.
 
   @Override
-  int compareExactly(int code, int contact) {
-    return exactTime(code, contact).compare(exactTime(bestCode, bestContact));
-  }
-
-  /** The exact time of the next impact of a circle. */
-  ExactTime exactTime(MovingCircle body) {
-    start(body);
-    return exactTime(body.next, body.contact);
-  }
-
-  private ExactTime exactTime(int code, int contact) {
+  RealRoot exactTime(int code, int contact, double t) {
     if (Codes.isWall(code)) {
       boolean vertical = Codes.isVertical(code);
-      return WallSweep.exactTime(vertical ? px : py, r, vertical ? vx : vy, obstacles.walls[code]);
+      return RealRoot.of(
+          WallSweep.exactTime(vertical ? px : py, r, vertical ? vx : vy, obstacles.walls[code]));
     }
     fly();
     chooseAny(code);
-    return FallSweep.exactTime(fall, contact);
+    return RealRoot.of(FallSweep.exactTime(fall, contact));
   }
 }

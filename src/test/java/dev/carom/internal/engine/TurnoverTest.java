@@ -9,10 +9,12 @@ import dev.carom.Circle;
 import dev.carom.Impact;
 import dev.carom.Internals;
 import dev.carom.Kind;
+import dev.carom.Nearest;
 import dev.carom.Response;
 import dev.carom.Run;
 import dev.carom.Scene;
 import dev.carom.SceneBuilder;
+import dev.carom.SweptCircle;
 import dev.carom.Timeline;
 import dev.carom.Traits;
 import dev.carom.Vec2;
@@ -126,11 +128,13 @@ class TurnoverTest {
     double y = 200 * random.nextDouble();
     Circle disk = new Circle(x, y, 30);
     Bounds box = new Bounds(x, y, x + 50, y + 50);
-    assertThat(world.nearest(CIRCLE, x, y)).isEqualTo(beside.nearest(CIRCLE, x, y));
+    assertThat(world.nearest(x, y, CIRCLE).map(Nearest::id).orElse(-1))
+        .isEqualTo(beside.nearest(x, y, CIRCLE).map(Nearest::id).orElse(-1));
     assertThat(world.overlapping(CIRCLE, disk)).isEqualTo(beside.overlapping(CIRCLE, disk));
     assertThat(world.overlapping(CIRCLE, box)).isEqualTo(beside.overlapping(CIRCLE, box));
-    Optional<Impact> hit = world.cast(new Circle(x, y, 0), new Vec2(1, 2), 1e9);
-    assertThat(hit).isEqualTo(beside.cast(new Circle(x, y, 0), new Vec2(1, 2), 1e9));
+    Optional<Impact> hit = world.cast(new SweptCircle(new Circle(x, y, 0), new Vec2(1, 2)), 1e9);
+    assertThat(hit)
+        .isEqualTo(beside.cast(new SweptCircle(new Circle(x, y, 0), new Vec2(1, 2)), 1e9));
     int id = live.peek();
     assertThat(world.x(id)).isEqualTo(beside.x(id));
     assertThat(world.vy(id)).isEqualTo(beside.vy(id));

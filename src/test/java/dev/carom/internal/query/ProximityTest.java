@@ -7,6 +7,7 @@ import dev.carom.Bounds;
 import dev.carom.Circle;
 import dev.carom.Kind;
 import dev.carom.Line;
+import dev.carom.Nearest;
 import dev.carom.Resolver;
 import dev.carom.Scene;
 import dev.carom.SceneBuilder;
@@ -30,12 +31,18 @@ class ProximityTest {
   })
   void eachWallIsNearestToWhatIsBesideIt(double x, double y) {
     World world = new World(Scene.builder().bounds(x, y, x + 30, y + 40).build());
-    assertThat(world.nearest(Kind.WALL, x + 2, y + 20)).isEqualTo(Codes.LEFT);
-    assertThat(world.nearest(Kind.WALL, x + 28, y + 20)).isEqualTo(Codes.RIGHT);
-    assertThat(world.nearest(Kind.WALL, x + 15, y + 2)).isEqualTo(Codes.BOTTOM);
-    assertThat(world.nearest(Kind.WALL, x + 15, y + 38)).isEqualTo(Codes.TOP);
-    assertThat(world.nearest(Kind.WALL, x - 2, y + 20)).isEqualTo(Codes.LEFT);
-    assertThat(world.nearest(Kind.WALL, x + 15, y + 43)).isEqualTo(Codes.TOP);
+    assertThat(world.nearest(x + 2, y + 20, Kind.WALL).map(Nearest::id).orElse(-1))
+        .isEqualTo(Codes.LEFT);
+    assertThat(world.nearest(x + 28, y + 20, Kind.WALL).map(Nearest::id).orElse(-1))
+        .isEqualTo(Codes.RIGHT);
+    assertThat(world.nearest(x + 15, y + 2, Kind.WALL).map(Nearest::id).orElse(-1))
+        .isEqualTo(Codes.BOTTOM);
+    assertThat(world.nearest(x + 15, y + 38, Kind.WALL).map(Nearest::id).orElse(-1))
+        .isEqualTo(Codes.TOP);
+    assertThat(world.nearest(x - 2, y + 20, Kind.WALL).map(Nearest::id).orElse(-1))
+        .isEqualTo(Codes.LEFT);
+    assertThat(world.nearest(x + 15, y + 43, Kind.WALL).map(Nearest::id).orElse(-1))
+        .isEqualTo(Codes.TOP);
   }
 
   @ParameterizedTest
@@ -54,8 +61,10 @@ class ProximityTest {
   void aPointOverlapsABoxFromInside(double x, double y, boolean overlaps) {
     Bounds box = new Bounds(0, 0, 10, 8);
     int expected = overlaps ? 1 : 0;
-    assertThat(Resolver.of(List.of(new Circle(x, y, 0))).overlapping(box)).hasSize(expected);
-    assertThat(Resolver.of(List.of(new Line(x, y, x, y))).overlapping(box)).hasSize(expected);
+    assertThat(Resolver.of(List.of(new Circle(x, y, 0))).overlapping(Kind.PEG, box))
+        .hasSize(expected);
+    assertThat(Resolver.of(List.of(new Line(x, y, x, y))).overlapping(Kind.LINE, box))
+        .hasSize(expected);
   }
 
   /** Disks that touch a line along x: beside it, and beyond each end. */
@@ -64,8 +73,9 @@ class ProximityTest {
   void whatTouchesALineDoesNotOverlapIt(double x, double y) {
     for (Line line : List.of(new Line(0, 0, 10, 0), new Line(10, 0, 0, 0))) {
       Resolver resolver = Resolver.of(List.of(line));
-      assertThat(resolver.overlapping(new Circle(x, y, 5))).isEmpty();
-      assertThat(resolver.overlapping(new Circle(x, y, Math.nextUp(5.0)))).containsExactly(line);
+      assertThat(resolver.overlapping(Kind.LINE, new Circle(x, y, 5))).isEmpty();
+      assertThat(resolver.overlapping(Kind.LINE, new Circle(x, y, Math.nextUp(5.0))))
+          .containsExactly(0);
     }
   }
 
@@ -85,12 +95,14 @@ class ProximityTest {
     assertThat(world.overlapping(Kind.CIRCLE, all)).containsExactly(0, 1, 2, 3);
     assertThat(world.overlapping(Kind.CIRCLE, new Bounds(-99, -99, 5, 99)))
         .containsExactly(0, 2, 3);
-    assertThat(world.nearest(Kind.CIRCLE, 1, 0)).isZero();
+    assertThat(world.nearest(1, 0, Kind.CIRCLE).map(Nearest::id).orElse(-1)).isZero();
     world.step(10);
     assertThat(world.overlapping(Kind.CIRCLE, all)).containsExactly(1, 2);
-    assertThat(world.nearest(Kind.CIRCLE, 0, 0)).as("as near as 2").isOne();
+    assertThat(world.nearest(0, 0, Kind.CIRCLE).map(Nearest::id).orElse(-1))
+        .as("as near as 2")
+        .isOne();
     world.remove(Kind.CIRCLE, 1);
     assertThat(world.overlapping(Kind.CIRCLE, all)).containsExactly(2);
-    assertThat(world.nearest(Kind.CIRCLE, 9, 0)).isEqualTo(2);
+    assertThat(world.nearest(9, 0, Kind.CIRCLE).map(Nearest::id).orElse(-1)).isEqualTo(2);
   }
 }

@@ -62,7 +62,8 @@ class StraightSearchTest {
     Resolver resolver = Resolver.of(List.of(new Circle(0, 0, 0x1p980)));
     Circle circle = new Circle(x * most, y * most, 0x1p980);
     Vec2 velocity = new Vec2(-x * most / 4, -y * most / 4);
-    assertThat(resolver.trace(circle, velocity, 5).impacts()).hasSize(1);
+    assertThat(resolver.trace(new SweptCircle(circle, velocity), 1, 5, Integer.MAX_VALUE).impacts())
+        .hasSize(1);
   }
 
   /** The distance to the wall is beyond the doubles, the way to it is not. */
@@ -150,7 +151,10 @@ class StraightSearchTest {
   void tinyAndHugeThingsMeetAtAnEnd() {
     Resolver huge = Resolver.of(List.of(new Line(0, 0, 0x1p500, 0)));
     Circle tiny = new Circle(-0x1p-539, 0x1p-690, 0x1p-540);
-    assertThat(huge.trace(tiny, new Vec2(1, 0x1p-10), 1).impacts()).hasSize(1);
+    assertThat(
+            huge.trace(new SweptCircle(tiny, new Vec2(1, 0x1p-10)), 1, 1, Integer.MAX_VALUE)
+                .impacts())
+        .hasSize(1);
     SceneBuilder setup = Scene.builder().line(0, 0, 0x1p-540, 0);
     Scene scene = setup.circle(-0x1p501, 0x1p400, 0x1p500, 0x1p152, 0x1p142).build();
     assertThat(step(new World(scene), 0x1p400).size()).isOne();
@@ -267,14 +271,17 @@ class StraightSearchTest {
     assertThat(world.toString()).contains("grid");
     Circle circle = new Circle(Math.nextUp(2 * unit), 97 * unit, 2 * unit);
     for (double drift : new double[] {0, -0x1p-60, -0x1p-58}) {
-      Impact impact = world.cast(circle, new Vec2(drift * fast, -fast), never).orElseThrow();
+      Impact impact =
+          world.cast(new SweptCircle(circle, new Vec2(drift * fast, -fast)), never).orElseThrow();
       assertThat(impact.kind()).as("%s", drift).isEqualTo(Kind.LINE);
     }
-    Impact wall = world.cast(circle, new Vec2(-0x1p-54 * fast, -fast), never).orElseThrow();
+    Impact wall =
+        world.cast(new SweptCircle(circle, new Vec2(-0x1p-54 * fast, -fast)), never).orElseThrow();
     assertThat(wall.kind()).isEqualTo(Kind.WALL);
     assertThat(wall.time()).isEqualTo(8 * unit / fast);
     Circle free = new Circle(Math.nextDown(98 * unit), 50 * unit, 2 * unit);
-    Impact bottom = world.cast(free, new Vec2(0x1p-60 * fast, -fast), never).orElseThrow();
+    Impact bottom =
+        world.cast(new SweptCircle(free, new Vec2(0x1p-60 * fast, -fast)), never).orElseThrow();
     assertThat(bottom.time()).isEqualTo(48 * unit / fast);
   }
 

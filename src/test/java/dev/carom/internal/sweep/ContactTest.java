@@ -74,7 +74,9 @@ class ContactTest {
       Circle circle = new Circle(at.x(), at.y(), random.nextInt(4) * 0.5 * scale);
       Vec2 v = aimed(at, scale);
       Optional<Impact> impact = new SweptCircle(circle, v).cast(obstacle, 20);
-      Trajectory path = Resolver.of(List.of(obstacle)).trace(circle, v, 20);
+      Trajectory path =
+          Resolver.of(List.of(obstacle))
+              .trace(new SweptCircle(circle, v), 1, 20, Integer.MAX_VALUE);
       assertThat(path.impacts().isEmpty())
           .as("%s %s %s", circle, v, obstacle)
           .isEqualTo(impact.isEmpty());
