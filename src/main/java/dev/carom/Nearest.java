@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
 package dev.carom;
 
+import dev.carom.internal.util.Check;
+
 /**
- * The answer of {@link Resolver#nearest}: the thing that is nearest to a point. Its constructor
- * checks nothing.
+ * The answer of {@link Resolver#nearest}: the thing that is nearest to a point.
  *
  * @param kind the kind of the thing
  * @param id its id; of a wall 0 left, 1 right, 2 bottom, 3 top
@@ -11,4 +12,14 @@ package dev.carom;
  * @param x the x coordinate of its nearest point: the point itself, inside of a peg or a circle
  * @param y the y coordinate of its nearest point
  */
-public record Nearest(Kind kind, int id, double distance, double x, double y) {}
+public record Nearest(Kind kind, int id, double distance, double x, double y) {
+
+  /**
+   * Makes an answer.
+   *
+   * @throws NullPointerException if the kind is null
+   */
+  public Nearest {
+    Check.notNull("kind", kind);
+  }
+}

@@ -6,6 +6,7 @@ import dev.carom.internal.query.Proximity;
 import dev.carom.internal.query.Region;
 import dev.carom.internal.query.TracedPath;
 import dev.carom.internal.query.Tracer;
+import dev.carom.internal.response.ContactCore;
 import dev.carom.internal.search.ObstacleIndex;
 import dev.carom.internal.state.CircleRegistry;
 import dev.carom.internal.state.CircleTable;
@@ -20,6 +21,7 @@ import dev.carom.internal.sweep.Hit;
 import dev.carom.internal.util.Check;
 import dev.carom.internal.util.Index;
 import dev.carom.internal.util.KindNumber;
+import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.EnumSet;
 import java.util.List;
@@ -291,7 +293,8 @@ final class Questions implements Resolver {
     if (kind != Kind.CIRCLE) {
       return proximity.nearest(number, number + 1, x, y, obstacles.met(filter));
     }
-    int slot = circles == null ? Index.NONE : circles.nearest(x, y, clock.getAsDouble(), this::isMet);
+    int slot =
+        circles == null ? Index.NONE : circles.nearest(x, y, clock.getAsDouble(), this::isMet);
     return slot == Index.NONE ? slot : Codes.circle(slot);
   }
 
@@ -341,6 +344,66 @@ final class Questions implements Resolver {
             : proximity.overlapping(number, number + 1, region, obstacles.met(filter));
     Arrays.setAll(found, k -> kind == Kind.CIRCLE ? registry.id(found[k]) : Codes.index(found[k]));
     return found;
+  }
+
+  // Contacts.
+
+  /** Lists what is so near to a circle in contact that the law of contact counts it. */
+  List<Contact> contacts(int slot) {
+    List<Contact> contacts = new ArrayList<>();
+    if (table.isMember(slot) || table.isSupported(slot)) {
+      Circle circle = circle(Codes.circle(slot), clock.getAsDouble());
+      double most = circle.radius() + ContactCore.reach(circle.radius());
+      Circle wide = new Circle(circle.center(), most);
+      Questions own = new Questions(shared, registry.filter(slot));
+      for (Kind kind : Kind.values()) {
+        for (int id : own.overlapping(kind, wide)) {
+          boolean isCircle = kind == Kind.CIRCLE;
+          int code = isCircle ? Codes.circle(registry.slot(id)) : Codes.of(kind.ordinal(), id);
+          if (isCircle ? touches(slot, Codes.slot(code)) : isSolid(code, circle)) {
+            contacts.add(contact(answer(kind, code, circle.x(), circle.y()), circle));
+          }
+        }
+      }
+    }
+    return List.copyOf(contacts);
+  }
+
+  /** Tells whether a circle that is near another one is in contact with it. */
+  private boolean touches(int slot, int other) {
+    double now = clock.getAsDouble();
+    double r = table.radius(slot);
+    double itsR = table.radius(other);
+    boolean counts = table.isMember(other) || registry.mass(other) == Double.POSITIVE_INFINITY;
+    double gap =
+        Proximity.distance(
+            table.x(other, now), table.y(other, now), itsR, table.x(slot, now), table.y(slot, now));
+    return targets != null
+        && slot != other
+        && counts
+        && !registry.isSensor(other)
+        && gap <= r + ContactCore.reach(Math.min(r, itsR));
+  }
+
+  /**
+   * Tells whether an obstacle stops a circle: it is no sensor, and no one-way line on its right.
+   */
+  private boolean isSolid(int code, Circle circle) {
+    if (Codes.isWall(code) || !obstacles.isOneWay(code)) {
+      return !obstacles.isSensor(code);
+    }
+    Line line = PublicRecords.line(obstacles, code, clock.getAsDouble());
+    double across =
+        (line.bx() - line.ax()) * (circle.y() - line.ay())
+            - (line.by() - line.ay()) * (circle.x() - line.ax());
+    return across > 0 && !obstacles.isSensor(code);
+  }
+
+  private static Contact contact(Nearest at, Circle circle) {
+    double length = StrictMath.hypot(circle.x() - at.x(), circle.y() - at.y());
+    double nx = length == 0 ? 0 : (circle.x() - at.x()) / length;
+    double ny = length == 0 ? 1 : (circle.y() - at.y()) / length;
+    return new Contact(at.kind(), at.id(), 0, nx, ny);
   }
 
   /** Tells whether a circle with the filter meets the one in a slot. */

@@ -18,6 +18,7 @@ import dev.carom.internal.state.WorldState;
 import dev.carom.internal.util.Check;
 import dev.carom.internal.util.KindNumber;
 import java.util.Arrays;
+import java.util.List;
 import java.util.Optional;
 
 /**
@@ -49,10 +50,10 @@ import java.util.Optional;
  *
  * <p>A step goes on for a time span ({@link #step step}), to a time ({@link #advanceTo(double)
  * advanceTo}) or to the next impact ({@link #advanceToImpact advanceToImpact}). Between steps a
- * world can be edited, asked as a {@link Resolver} (cast, trace, nearest, overlapping), saved ({@link
- * #snapshot}) and recorded ({@link #record record}). It can tell how far its places are right
- * ({@link #uncertainty uncertainty}). A world belongs to one thread at a time. Different worlds
- * share nothing that changes.
+ * world can be edited, asked as a {@link Resolver} (cast, trace, nearest, overlapping), saved
+ * ({@link #snapshot}) and recorded ({@link #record record}). It can tell how far its places are
+ * right ({@link #uncertainty uncertainty}). A world belongs to one thread at a time. Different
+ * worlds share nothing that changes.
  *
  * <p>See <a href="doc-files/rules.html">Rules and limits</a>: contact, edits, questions, budget,
  * stuck circles, moving obstacles, gravity, infinite mass, accuracy. <a
@@ -390,7 +391,7 @@ public final class World implements Resolver {
    * @throws IndexOutOfBoundsException if there is no such thing
    */
   public Obstacle shape(Kind kind, int id) {
-    return questions.shape(code(kind, id), now);
+    return queries.shape(code(kind, id), now);
   }
 
   /**
@@ -403,6 +404,23 @@ public final class World implements Resolver {
    */
   public Vec2 velocity(Kind kind, int id) {
     return queries.velocity(code(kind, id), now);
+  }
+
+  /**
+   * Lists what a circle is in contact with under gravity: what holds, carries or presses it, also
+   * while it rests. So a program can ask whether something stands on the ground:
+   *
+   * <pre>{@code
+   * boolean stands = world.contacts(hero).stream().anyMatch(contact -> contact.ny() > 0.5);
+   * }</pre>
+   *
+   * @param circle the id of the circle
+   * @return the things, by kind and id, sensors never; an immutable list, empty while the circle
+   *     flies or bounces, and without gravity
+   * @throws IndexOutOfBoundsException if there is no such circle
+   */
+  public List<Contact> contacts(int circle) {
+    return questions.contacts(ids.circle(circle));
   }
 
   /**

@@ -41,7 +41,7 @@ class ArchitectureTest {
   private static final String DETECTOR = " SweptCircle SweptSphere Impact Outcome Kind Feature";
 
   private static final String RESOLVER =
-      " Filter Resolver Nearest Questions Casts Trajectory ImpactLog Flight";
+      " Filter Resolver Nearest Contact Questions Casts Trajectory ImpactLog Flight";
 
   private static final String WORLD =
       " Scene SceneBuilder SceneFormatException Response Traits Warning World WorldQueries"

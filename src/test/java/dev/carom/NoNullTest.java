@@ -59,6 +59,10 @@ class NoNullTest {
           sample(InputStream.class, () -> new ByteArrayInputStream(new byte[0])),
           sample(OutputStream.class, ByteArrayOutputStream::new),
           sample(Vec2.class, () -> new Vec2(1, 2)),
+          sample(SweptCircle.class, () -> new SweptCircle(1, 2, 3, 4, 5)),
+          sample(SweptSphere.class, () -> new SweptSphere(1, 2, 3, 4, 5, 6, 7)),
+          sample(Nearest.class, () -> new Nearest(Kind.PEG, 0, 1, 2, 3)),
+          sample(Contact.class, () -> new Contact(Kind.PEG, 0, 0, 0, 1)),
           sample(Obstacle.class, () -> CIRCLE),
           sample(Circle.class, () -> CIRCLE),
           sample(Line.class, () -> new Line(1, 2, 3, 4)),
@@ -109,7 +113,10 @@ class NoNullTest {
   }
 
   private static Trajectory trajectory() {
-    return world().scene().resolver().trace(CIRCLE, new Vec2(9, 9), 99);
+    return world()
+        .scene()
+        .resolver()
+        .trace(new SweptCircle(CIRCLE, new Vec2(9, 9)), 1, 99, Integer.MAX_VALUE);
   }
 
   private static Stream<Executable> all() throws Exception {

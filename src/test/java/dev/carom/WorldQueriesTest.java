@@ -197,10 +197,16 @@ class WorldQueriesTest {
       Resolver resolver = scene.resolver();
       for (int id = 0; id < 20; id++) {
         Trajectory path =
-            world.trace(new SweptCircle((Circle) scene.shape(Kind.CIRCLE, id), scene.velocity(Kind.CIRCLE, id)), 1, 60, 1000);
+            world.trace(
+                new SweptCircle(
+                    (Circle) scene.shape(Kind.CIRCLE, id), scene.velocity(Kind.CIRCLE, id)),
+                1,
+                60,
+                1000);
         assertThat(
                 resolver.trace(
-                    new SweptCircle((Circle) scene.shape(Kind.CIRCLE, id), scene.velocity(Kind.CIRCLE, id)),
+                    new SweptCircle(
+                        (Circle) scene.shape(Kind.CIRCLE, id), scene.velocity(Kind.CIRCLE, id)),
                     1,
                     60,
                     Integer.MAX_VALUE))

@@ -722,6 +722,11 @@ public final class ContactCore {
     graph.lost.clear();
   }
 
+  /** The gap within which a thing carries a circle of a radius, of two circles the smaller one. */
+  public static double reach(double radius) {
+    return ContactLaw.HOLD * ContactLaw.STANDOFF * radius;
+  }
+
   /** Saves what is known of a member. */
   public double[] save(int i, CircleRegistry registry) {
     NearPairs p = graph.pairs;

@@ -1,0 +1,25 @@
+// SPDX-License-Identifier: Apache-2.0
+package dev.carom;
+
+import dev.carom.internal.util.Check;
+
+/**
+ * Something with which a circle is in contact, see {@link World#contacts}.
+ *
+ * @param kind the kind of the thing
+ * @param id its id; of a wall 0 left, 1 right, 2 bottom, 3 top
+ * @param part 0: things have one part each
+ * @param nx the x component of the unit normal, which points from the thing to the circle
+ * @param ny the y component of the unit normal
+ */
+public record Contact(Kind kind, int id, int part, double nx, double ny) {
+
+  /**
+   * Makes an answer.
+   *
+   * @throws NullPointerException if the kind is null
+   */
+  public Contact {
+    Check.notNull("kind", kind);
+  }
+}
