@@ -24,12 +24,6 @@ class ReadmeTest {
     assertThat(printed.strip()).isEqualTo(block("", 0).strip());
   }
 
-  @Test
-  void editsPrintWhatTheReadmeSays() throws Exception {
-    String printed = JavaSample.run(block("java", 1), folder);
-    assertThat(printed.strip()).isEqualTo(block("", 1).strip());
-  }
-
   /** The text of the n-th fenced block of a language; "" for blocks that name none. */
   private static String block(String language, int n) throws IOException {
     Matcher fences =
