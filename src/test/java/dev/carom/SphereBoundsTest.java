@@ -15,7 +15,8 @@ import org.junit.jupiter.api.Test;
 
 /**
  * The bounds of {@link RoundingBoundsTest}, in space: none is violated, and without any of them a
- * query about two spheres is answered wrongly.
+ * query about two spheres is answered wrongly. ROOT_PLACE is seen in the plane only: in space, what
+ * one correction leaves open goes to numbers without rounding.
  *
  * <p>More queries, and others: {@code -Dcarom.queries=10000000 -Dcarom.seed=3}.
  */
@@ -28,7 +29,6 @@ class SphereBoundsTest {
           RoundingBound.ROOT_DOT,
           RoundingBound.ROOT_GAP,
           RoundingBound.ROOT_REACH,
-          RoundingBound.ROOT_PLACE,
           RoundingBound.ROOT_TINY);
 
   private final PatchedDetector whole = PatchedDetector.scaled(RoundingBound.ROOT_DOT, 1);

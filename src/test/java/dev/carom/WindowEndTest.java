@@ -4,8 +4,8 @@ package dev.carom;
 import static org.assertj.core.api.Assertions.assertThat;
 
 import dev.carom.internal.exact.Dyadic;
-import dev.carom.internal.exact.ExactTime;
 import dev.carom.internal.exact.Polynomial;
+import dev.carom.internal.exact.RealRoot;
 import dev.carom.internal.sweep.Contact;
 import dev.carom.internal.sweep.DiskSweep;
 import dev.carom.internal.sweep.FallSweep;
@@ -127,8 +127,8 @@ class WindowEndTest {
       if (DiskSweep.contact(n[0], n[1], n[2], n[3], n[4], n[5], n[6], n[7], n[8], n[9])
           == Contact.LATER) {
         asked++;
-        ExactTime exact =
-            ExactTime.of(
+        RealRoot exact =
+            RealRoot.ofStraight(
                 gap(n[2], n[7], motion(n[0], n[5], n[3], n[8]), motion(n[1], n[6], n[4], n[9])));
         assertThat(pair(n)).as(() -> Arrays.toString(n)).isEqualTo(exact.upTo(n[10]));
       }
@@ -171,7 +171,7 @@ class WindowEndTest {
       Polynomial exact = exact(n);
       if (exact.sign(Dyadic.ZERO) > 0) {
         boolean meets = meets(exact);
-        double time = meets ? ExactTime.of(exact).upTo(n[14]) : FOREVER;
+        double time = meets ? RealRoot.ofStraight(exact).upTo(n[14]) : FOREVER;
         assertThat(sphere(n)).as(() -> Arrays.toString(n)).isEqualTo(time);
         apart++;
         meeting += meets ? 1 : 0;
@@ -232,7 +232,7 @@ class WindowEndTest {
       double[] n = touching();
       Polynomial exact = n == null ? null : exact(n);
       if (exact != null && exact.sign(Dyadic.ZERO) > 0 && meets(exact)) {
-        double time = ExactTime.of(exact).upTo(n[14]);
+        double time = RealRoot.ofStraight(exact).upTo(n[14]);
         assertThat(sphere(n)).as(() -> Arrays.toString(n)).isEqualTo(time);
         hits++;
       }
@@ -282,7 +282,7 @@ class WindowEndTest {
 
   /** Whether a gap is falling at the start and gets below 0 later. */
   private static boolean meets(Polynomial gap) {
-    return gap.derivative().sign(Dyadic.ZERO) < 0 && ExactTime.of(gap).q().sign() > 0;
+    return gap.derivative().sign(Dyadic.ZERO) < 0 && gap.positiveRoots(null).size() == 2;
   }
 
   // A disk and the side of a line: ax ay bx by px py r vx vy T.
@@ -366,7 +366,7 @@ class WindowEndTest {
       int contact = change.applyAsInt(n);
       if (contact == Contact.LEFT || contact == Contact.RIGHT) {
         asked++;
-        ExactTime exact =
+        RealRoot exact =
             FallSweep.exactTime(
                 Falls.line(n[4], n[5], n[6], n[7], n[8], 0, 0, n[0], n[1], n[2], n[3], 0, 0),
                 contact);

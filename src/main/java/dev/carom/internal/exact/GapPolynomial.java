@@ -555,6 +555,22 @@ public final class GapPolynomial implements Ring<GapPolynomial> {
   }
 
   /**
+   * The correctly rounded time at which the gap of a straight flight falls to 0, {@code +infinity}
+   * if that is later than T; 0 if the gap is not above 0 at the start. It is a line or a convex
+   * parabola {@code c + b t + a t^2}, with its first root before {@code -2 c / b} and before its
+   * vertex. NaN in doubt, and if it is not certain to be below 0 there.
+   */
+  public double fallOfConvex(double T) {
+    if (signAtStart() != 1) {
+      return signAtStart() == UNKNOWN ? Double.NaN : 0;
+    }
+    double high = Math.min(scale(), 0.5 * derivative().scale());
+    double time = signAt(high, 0) == -1 ? nearestRoot(1, 0, high) : Double.NaN;
+    int atEnd = time == T ? signAt(T, 0) : 0;
+    return time > T || atEnd == 1 ? Double.POSITIVE_INFINITY : atEnd == UNKNOWN ? Double.NaN : time;
+  }
+
+  /**
    * About the only root in an interval, by Newton's method; in double-double, if without rounding.
    */
   public double root(int before, double low, double high) {

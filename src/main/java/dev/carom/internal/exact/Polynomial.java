@@ -155,7 +155,7 @@ public final class Polynomial implements Ring<Polynomial> {
   }
 
   /** The positive roots, ascending; only those before a limit, if there is one. */
-  List<RealRoot> positiveRoots(RealRoot limit) {
+  public List<RealRoot> positiveRoots(RealRoot limit) {
     List<RealRoot> roots = new ArrayList<>();
     Polynomial f = this;
     while (!f.isZero() && f.c[0].sign() == 0) {

@@ -16,10 +16,10 @@ public enum PrecisionCounter {
   /** Square roots of doubles: one for each time of impact, except at walls. */
   ROOTS,
 
-  /** Corrections of a time of impact after the first one, except at walls. */
-  STEPS,
-
   /** Times of impact, including those at walls, that double-double could not round. */
+  DOUBTFUL_TIMES,
+
+  /** Those among them that sums without rounding left open, too. */
   EXACT_TIMES,
 
   /** Normals of a moving disk that double-double could not round. */

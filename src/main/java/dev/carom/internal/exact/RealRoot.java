@@ -8,7 +8,7 @@ package dev.carom.internal.exact;
 public final class RealRoot {
 
   /** Halvings before the question whether two roots are the same is asked in exact algebra. */
-  private static final int HALVINGS = 64;
+  private static final int HALVINGS = 16;
 
   /** Bits of a vector before it is rounded. */
   private static final int BITS = 64;
@@ -30,21 +30,18 @@ public final class RealRoot {
   }
 
   /** The root that is a given number. */
-  static RealRoot at(Dyadic t) {
+  public static RealRoot at(Dyadic t) {
     return new RealRoot(null, 0, t, t);
   }
 
-  /** A time from 0 on: the lesser root of {@code (d t - p)^2 - q}. */
-  public static RealRoot of(ExactTime time) {
-    Dyadic p = time.p();
-    Dyadic q = time.q();
-    Dyadic d = time.d();
-    Dyadic constant = p.square().minus(q);
-    if (constant.sign() == 0) {
-      return at(Dyadic.ZERO);
-    }
-    Dyadic middle = Dyadic.ZERO.minus(p.times(d).plus(p.times(d)));
-    return Polynomial.of(constant, middle, d.square()).positiveRoots(null).get(0);
+  /**
+   * The time at which the gap of a straight flight falls to 0: its least root, or 0 if it is not
+   * above 0 at the start.
+   */
+  public static RealRoot ofStraight(Polynomial gap) {
+    return gap.sign(Dyadic.ZERO) <= 0
+        ? ExactParabola.START
+        : gap.positiveRoots(null).stream().findFirst().orElseThrow(ArithmeticException::new);
   }
 
   /** A power of two after a time. */
@@ -99,6 +96,13 @@ public final class RealRoot {
       halve();
       that.halve();
     }
+  }
+
+  /** The order of two times of impact that are rounded alike: a decision. */
+  public int order(RealRoot that) {
+    PrecisionCounter.DOUBTFUL_DECISIONS.add();
+    PrecisionCounter.EXACT_DECISIONS.add();
+    return compare(that);
   }
 
   /** Whether the common divisor has a root where the intervals meet: it is this one and that. */
@@ -167,6 +171,12 @@ public final class RealRoot {
       }
     }
     return Double.longBitsToDouble(first);
+  }
+
+  /** The same, {@code +infinity} if this root is later than T. */
+  public double upTo(double T) {
+    boolean isLate = T < Double.POSITIVE_INFINITY && compare(Dyadic.of(T)) > 0;
+    return isLate ? Double.POSITIVE_INFINITY : nearest();
   }
 
   /** Whether the correctly rounded value is above s. */

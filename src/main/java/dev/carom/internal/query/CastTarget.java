@@ -74,7 +74,7 @@ final class CastTarget {
   RealRoot exactTime(MovingCircle m, int itsContact) {
     return falls(m)
         ? FallSweep.exact(fall(m)).first(NEVER)
-        : RealRoot.of(FallSweep.exactTime(fall(m), itsContact));
+        : FallSweep.exactTime(fall(m), itsContact);
   }
 
   /**

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 package dev.carom.internal.query;
 
-import dev.carom.internal.exact.ExactTime;
+import dev.carom.internal.exact.Dyadic;
 import dev.carom.internal.exact.RealRoot;
 import dev.carom.internal.search.BoxTree;
 import dev.carom.internal.state.CircleRegistry;
@@ -123,7 +123,7 @@ final class FirstCircle implements BoxTree.First {
   /** The exact time of the first contact so far, or of the end of the cast. */
   private RealRoot exactLimit() {
     if (m.next == MovingCircle.NOTHING) {
-      return RealRoot.of(ExactTime.of(maxTime));
+      return RealRoot.at(Dyadic.of(maxTime));
     }
     return Codes.isCircle(m.next)
         ? found.load(circles, Codes.slot(m.next), now).exactTime(m, m.contact)

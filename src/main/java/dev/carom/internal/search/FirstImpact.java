@@ -184,7 +184,7 @@ abstract class FirstImpact {
     }
     int order =
         ordersExactly
-            ? exactTime(code, contact, best).compare(exactTime(bestCode, bestContact, best))
+            ? exactTime(code, contact, best).order(exactTime(bestCode, bestContact, best))
             : 0;
     return order < 0 || (order == 0 && code < bestCode);
   }

@@ -343,11 +343,10 @@ final class StraightSearch extends CellWalk {
   RealRoot exactTime(int code, int contact, double t) {
     if (Codes.isWall(code)) {
       boolean vertical = Codes.isVertical(code);
-      return RealRoot.of(
-          WallSweep.exactTime(vertical ? px : py, r, vertical ? vx : vy, obstacles.walls[code]));
+      return WallSweep.exactTime(vertical ? px : py, r, vertical ? vx : vy, obstacles.walls[code]);
     }
     fly();
     chooseAny(code);
-    return RealRoot.of(FallSweep.exactTime(fall, contact));
+    return FallSweep.exactTime(fall, contact);
   }
 }

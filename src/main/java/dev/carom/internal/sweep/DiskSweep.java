@@ -8,7 +8,6 @@ import static dev.carom.internal.exact.Fma.fma;
 
 import dev.carom.internal.exact.Predicates;
 import dev.carom.internal.exact.PrecisionCounter;
-import dev.carom.internal.exact.RealRoot;
 import dev.carom.internal.exact.UnitVector;
 
 /**
@@ -51,7 +50,7 @@ public final class DiskSweep {
    *
    * <p>It is the plain root {@code t = g / (-b + sqrt(discriminant))}, in which nothing cancels but
    * g and, near a graze, discriminant, corrected by a step. Where that leaves the rounding open, or
-   * the end of the window is the answer, more steps follow, and exact numbers.
+   * the end of the window is the answer, numbers without rounding decide.
    */
   public static double time(
       int contact, double x1, double y1, double r1, double vx1, double vy1, double x2, double y2,
@@ -72,30 +71,16 @@ public final class DiskSweep {
     double k = ux * dy - uy * dx;
     double s = Math.sqrt(a * rr - k * k);
     double t = (dd - rr) / (s - b);
-    double half = 0.5 / s;
-    double c = residue(x1, y1, r1, vx1, vy1, x2, y2, r2, vx2, vy2, t) * half;
-    double error = TimeOfImpact.stepError(w, a, half, TimeOfImpact.firstLean(a, w, half), c);
-    double time = TimeOfImpact.rounded(t, c, error);
+    double f = residue(x1, y1, r1, vx1, vy1, x2, y2, r2, vx2, vy2, t);
+    double time = TimeOfImpact.corrected(t, f, a, w, 0.5 / s);
     PrecisionCounter.ROOTS.add();
     if (time < T) {
       return time;
     }
     return time > T
         ? Double.POSITIVE_INFINITY
-        : refined(x1, y1, r1, vx1, vy1, x2, y2, r2, vx2, vy2, T, t + c);
-  }
-
-  /** Refines the time t by more steps; exact numbers decide if no step can. */
-  private static double refined(
-      double x1, double y1, double r1, double vx1, double vy1, double x2, double y2, double r2,
-      double vx2, double vy2, double T, double t) {
-    double time =
-        SphereSweep.refined(x1, y1, 0, r1, vx1, vy1, 0, x2, y2, 0, r2, vx2, vy2, 0, T, t);
-    if (!Double.isNaN(time)) {
-      return time;
-    }
-    Fall fall = fall(x1, y1, r1, vx1, vy1, x2, y2, r2, vx2, vy2);
-    return FallSweep.exactTime(fall, Contact.LATER).upTo(T);
+        : FallSweep.settled(
+            fall(x1, y1, r1, vx1, vy1, x2, y2, r2, vx2, vy2), Contact.LATER, T);
   }
 
   /** The question for exact numbers. */
@@ -141,8 +126,7 @@ public final class DiskSweep {
     if (Double.isNaN(c)) {
       PrecisionCounter.EXACT_NORMALS.add();
       Fall fall = fall(x1, y1, r1, vx1, vy1, x2, y2, r2, vx2, vy2);
-      RealRoot time = RealRoot.of(FallSweep.exactTime(fall, Contact.LATER));
-      return out.set(FallSweep.exact(fall).normal(time));
+      return out.set(FallSweep.exact(fall).normal(FallSweep.exactTime(fall, Contact.LATER)));
     }
     return UnitVectors.unit(
         out, offset(x1, x2, vx1, vx2, t, c), offset(y1, y2, vy1, vy2, t, c), 0, 0);

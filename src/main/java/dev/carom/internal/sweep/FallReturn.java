@@ -64,7 +64,7 @@ public final class FallReturn {
     }
     double speed = inward * v;
     double pull = inward * g;
-    double time = upTo(T, GapPolynomial.EXACT.motion(0, 0, speed, 0, pull));
+    double time = GapPolynomial.EXACT.motion(0, 0, speed, 0, pull).overTime().fallOfConvex(T);
     return Double.isNaN(time)
         ? ExactParabola.ofGap(Polynomial.EXACT.motion(0, 0, speed, 0, pull)).time(T)
         : time;
@@ -151,7 +151,7 @@ public final class FallReturn {
     if (!Double.isNaN(quick)) {
       return quick;
     }
-    double time = upTo(T, rise(f, side));
+    double time = rise(f, side).overTime().fallOfConvex(T);
     return Double.isNaN(time)
         ? ExactParabola.ofGap(f.gaps(Polynomial.EXACT).height().signed(side).fromStart()).time(T)
         : time;
@@ -173,13 +173,6 @@ public final class FallReturn {
         Math.abs(f.wx) * Offset.size(f.sy, 0.5 * f.gy, 0, t)
             + Math.abs(f.wy) * Offset.size(f.sx, 0.5 * f.gx, 0, t);
     return GapRoot.nearest(t, side * (rise + tail), side * slope, Math.sqrt(terms));
-  }
-
-  /** The time up to T at which what rises from 0 is 0 again: half the scale of a linear root. */
-  private static double upTo(double T, GapPolynomial rise) {
-    GapPolynomial linear = rise.overTime();
-    double time = linear.nearestRoot(1, 0, linear.scale());
-    return time < T || (time == T && linear.signAt(T, 0) <= 0) ? time : time >= T ? NEVER : time;
   }
 
   /**

@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 package dev.carom.internal.sweep;
 
+import dev.carom.internal.exact.ExactBudget;
 import dev.carom.internal.exact.ExactParabola;
-import dev.carom.internal.exact.ExactTime;
+import dev.carom.internal.exact.GapPolynomial;
 import dev.carom.internal.exact.Gaps;
 import dev.carom.internal.exact.Polynomial;
 import dev.carom.internal.exact.PrecisionCounter;
@@ -92,8 +93,27 @@ public final class FallSweep {
   }
 
   /** The exact time of such a contact that is no MISS. */
-  public static ExactTime exactTime(Fall f, int contact) {
-    return ExactTime.of(f.gaps(Polynomial.EXACT).gap(Contact.region(contact)));
+  public static RealRoot exactTime(Fall f, int contact) {
+    return RealRoot.ofStraight(f.gaps(Polynomial.EXACT).gap(Contact.region(contact)));
+  }
+
+  /** The same, correctly rounded: the second and the third rung of straight flights. */
+  static double settled(Fall f, int contact, double T) {
+    int region = Contact.region(contact);
+    double time = settled(f.gaps(GapPolynomial.EXACT).gap(region), T);
+    return Double.isNaN(time) ? settled(exactTime(f, contact), T) : time;
+  }
+
+  /** The time at which the gap of a straight flight falls to 0; NaN in doubt. */
+  static double settled(GapPolynomial gap, double T) {
+    PrecisionCounter.DOUBTFUL_TIMES.add();
+    ExactBudget.add(GapSearch.BITS_PER_INTERVAL);
+    return gap.fallOfConvex(T);
+  }
+
+  static double settled(RealRoot time, double T) {
+    PrecisionCounter.EXACT_TIMES.add();
+    return time.upTo(T);
   }
 
   /**

@@ -51,9 +51,7 @@ public final class PointSweep {
     double k = vx * dy - vy * dx;
     // Only the residue depends on t, so the rest is computed while the root is still being taken.
     double half = 0.5 / Math.sqrt(a * rr - k * k);
-    double c = residue(px, py, r, vx, vy, x, y, t) * half;
-    double error = TimeOfImpact.stepError(w, a, half, TimeOfImpact.firstLean(a, w, half), c);
-    return TimeOfImpact.rounded(t, c, error);
+    return TimeOfImpact.corrected(t, residue(px, py, r, vx, vy, x, y, t), a, w, half);
   }
 
   /** {@code e.e - r^2} at {@code e = d + v t}. Cancelling terms have head and tail. */

@@ -6,7 +6,6 @@ import static dev.carom.internal.exact.DoubleDouble.differenceTail;
 import static dev.carom.internal.exact.DoubleDouble.productTail;
 import static dev.carom.internal.exact.DoubleDouble.sumTail;
 
-import dev.carom.internal.exact.ExactTime;
 import dev.carom.internal.exact.PrecisionCounter;
 
 /**
@@ -48,7 +47,7 @@ public final class SideSweep {
     double rough = Math.max(0, (c - scaledRadius) / speed);
     double t = refined(side, px, py, r, vx, vy, ax, ay, bx, by, ux, uy, rough, T);
     return t == T && t < Double.POSITIVE_INFINITY
-        ? exact(side, px, py, r, vx, vy, ax, ay, bx, by, ux, uy).upTo(t, T)
+        ? settled(side, px, py, r, vx, vy, ax, ay, bx, by, ux, uy, T)
         : t > T ? Double.POSITIVE_INFINITY : t;
   }
 
@@ -92,16 +91,15 @@ public final class SideSweep {
         return low;
       }
       t = Math.max(0, t + step);
-      PrecisionCounter.STEPS.add();
     }
-    return exact(side, px, py, r, vx, vy, ax, ay, bx, by, ux, uy).nearest();
+    return settled(side, px, py, r, vx, vy, ax, ay, bx, by, ux, uy, Double.POSITIVE_INFINITY);
   }
 
-  private static ExactTime exact(
+  private static double settled(
       int side, double px, double py, double r, double vx, double vy, double ax, double ay,
-      double bx, double by, double ux, double uy) {
+      double bx, double by, double ux, double uy, double T) {
     Fall fall = new Fall().flight(px, py, r, vx, vy, 0, 0).line(ax, ay, bx, by, ux, uy);
-    return FallSweep.exactTime(fall, side > 0 ? Contact.LEFT : Contact.RIGHT);
+    return FallSweep.settled(fall, side > 0 ? Contact.LEFT : Contact.RIGHT, T);
   }
 
   /**

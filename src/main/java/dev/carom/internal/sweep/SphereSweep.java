@@ -6,14 +6,17 @@ import static dev.carom.internal.exact.DoubleDouble.productTail;
 import static dev.carom.internal.exact.DoubleDouble.sumTail;
 
 import dev.carom.internal.exact.Dyadic;
-import dev.carom.internal.exact.ExactTime;
+import dev.carom.internal.exact.GapPolynomial;
+import dev.carom.internal.exact.Numbers;
 import dev.carom.internal.exact.Polynomial;
 import dev.carom.internal.exact.PrecisionCounter;
+import dev.carom.internal.exact.RealRoot;
+import dev.carom.internal.exact.Ring;
 
 /**
  * A sphere that moves against another that may move too: the {@link TimeOfImpact} of {@link
- * DiskSweep} with a third coordinate. What plain doubles leave open is decided by exact numbers,
- * without a rung in between.
+ * DiskSweep} with a third coordinate. What plain doubles leave open goes to numbers without
+ * rounding: {@link GapPolynomial}, then {@link Polynomial}.
  *
  * <p>The numbers are arguments, not a value, for the reason that {@link SegmentSweep} gives.
  */
@@ -31,8 +34,17 @@ public final class SphereSweep {
       return NEVER;
     }
     double time = plain(x1, y1, z1, r1, vx1, vy1, vz1, x2, y2, z2, r2, vx2, vy2, vz2, T);
+    if (Double.isNaN(time)) {
+      time =
+          FallSweep.settled(
+              gap(GapPolynomial.EXACT, x1, y1, z1, r1, vx1, vy1, vz1, x2, y2, z2, r2, vx2, vy2, vz2),
+              T);
+    }
     return Double.isNaN(time)
-        ? exact(gap(x1, y1, z1, r1, vx1, vy1, vz1, x2, y2, z2, r2, vx2, vy2, vz2), r1 + r2 == 0, T)
+        ? exact(
+            gap(Polynomial.EXACT, x1, y1, z1, r1, vx1, vy1, vz1, x2, y2, z2, r2, vx2, vy2, vz2),
+            r1 + r2 == 0,
+            T)
         : time;
   }
 
@@ -51,7 +63,7 @@ public final class SphereSweep {
     return isAlike
             || Math.abs(b) > TimeOfImpact.dotBound(Math.abs(bx) + Math.abs(by) + Math.abs(bz))
         ? b
-        : gap(x1, y1, z1, 0, vx1, vy1, vz1, x2, y2, z2, 0, vx2, vy2, vz2)
+        : gap(Polynomial.EXACT, x1, y1, z1, 0, vx1, vy1, vz1, x2, y2, z2, 0, vx2, vy2, vz2)
             .derivative()
             .sign(Dyadic.ZERO);
   }
@@ -91,62 +103,31 @@ public final class SphereSweep {
     }
     PrecisionCounter.ROOTS.add();
     double b = ux * dx + uy * dy + uz * dz;
-    double t = g / (Math.sqrt(discriminant) - b);
-    return refined(x1, y1, z1, r1, vx1, vy1, vz1, x2, y2, z2, r2, vx2, vy2, vz2, T, t);
-  }
-
-  /**
-   * Corrects the time t of an impact by steps, until its rounding is known; NaN if no step tells.
-   */
-  static double refined(
-      double x1, double y1, double z1, double r1, double vx1, double vy1, double vz1, double x2,
-      double y2, double z2, double r2, double vx2, double vy2, double vz2, double T, double start) {
-    double dx = x1 - x2;
-    double dy = y1 - y2;
-    double dz = z1 - z2;
-    double ux = vx1 - vx2;
-    double uy = vy1 - vy2;
-    double uz = vz1 - vz2;
-    double r = r1 + r2;
-    double w = dx * dx + dy * dy + dz * dz + r * r;
-    double a = ux * ux + uy * uy + uz * uz;
-    double b = ux * dx + uy * dy + uz * dz;
-    double terms = Math.abs(ux * dx) + Math.abs(uy * dy) + Math.abs(uz * dz);
-    double t = start;
-    for (int i = 0; i < TimeOfImpact.STEPS && t > 0; i++) {
-      PrecisionCounter.STEPS.add();
-      double half = -0.5 / (b + a * t);
-      double c = residue(x1, y1, z1, r1, vx1, vy1, vz1, x2, y2, z2, r2, vx2, vy2, vz2, t) * half;
-      double lean = TimeOfImpact.lean(half, terms + a * t, t);
-      double error = TimeOfImpact.stepError(w, a, half, lean, c);
-      double time = TimeOfImpact.rounded(t, c, error);
-      if (time < T || t + (c - error) > T) {
-        return time < T ? time : NEVER;
-      }
-      t += c;
-    }
-    return Double.NaN;
+    double s = Math.sqrt(discriminant);
+    double t = g / (s - b);
+    double f = residue(x1, y1, z1, r1, vx1, vy1, vz1, x2, y2, z2, r2, vx2, vy2, vz2, t);
+    double time = TimeOfImpact.corrected(t, f, a, dd + rr, 0.5 / s);
+    return time < T ? time : time > T ? NEVER : Double.NaN;
   }
 
   /** {@code e.e - r^2} at {@code e = d + u t}, in exact numbers. */
-  private static Polynomial gap(
-      double x1, double y1, double z1, double r1, double vx1, double vy1, double vz1, double x2,
-      double y2, double z2, double r2, double vx2, double vy2, double vz2) {
-    Polynomial x = Polynomial.EXACT.motion(x1, x2, vx1, vx2, 0);
-    Polynomial y = Polynomial.EXACT.motion(y1, y2, vy1, vy2, 0);
-    Polynomial z = Polynomial.EXACT.motion(z1, z2, vz1, vz2, 0);
-    Polynomial r = Polynomial.EXACT.difference(r1, -r2);
+  private static <P extends Ring<P>> P gap(
+      Numbers<P> of, double x1, double y1, double z1, double r1, double vx1, double vy1, double vz1,
+      double x2, double y2, double z2, double r2, double vx2, double vy2, double vz2) {
+    P x = of.motion(x1, x2, vx1, vx2, 0);
+    P y = of.motion(y1, y2, vy1, vy2, 0);
+    P z = of.motion(z1, z2, vz1, vz2, 0);
+    P r = of.difference(r1, -r2);
     return x.times(x).plus(y.times(y)).plus(z.times(z)).minus(r.times(r));
   }
 
-  /** The same in exact numbers. */
+  /** The same in exact numbers. A gap without two roots does not fall below 0. */
   private static double exact(Polynomial gap, boolean isPoint, double T) {
     if (gap.sign(Dyadic.ZERO) <= 0) {
       return 0;
     }
-    ExactTime time = ExactTime.of(gap);
-    int discriminant = time.q().sign();
-    return discriminant > 0 || (discriminant == 0 && isPoint) ? time.upTo(T) : NEVER;
+    boolean isHit = gap.positiveRoots(null).size() >= (isPoint ? 1 : 2);
+    return isHit ? FallSweep.settled(RealRoot.ofStraight(gap), T) : NEVER;
   }
 
   /** Whether the distance of the centres is less than r1 + r2. */
@@ -160,7 +141,8 @@ public final class SphereSweep {
     double g = dd - r * r;
     return Math.abs(g) > TimeOfImpact.gapBound(dd + r * r)
         ? g < 0
-        : gap(x1, y1, z1, r1, 0, 0, 0, x2, y2, z2, r2, 0, 0, 0).sign(Dyadic.ZERO) < 0;
+        : gap(Polynomial.EXACT, x1, y1, z1, r1, 0, 0, 0, x2, y2, z2, r2, 0, 0, 0).sign(Dyadic.ZERO)
+            < 0;
   }
 
   /** {@code f(t) = e.e - r^2} at {@code e = d + u t}. Cancelling terms have head and tail. */

@@ -6,6 +6,7 @@ import static dev.carom.internal.exact.DoubleDouble.productTail;
 import static dev.carom.internal.exact.DoubleDouble.sumTail;
 import static dev.carom.internal.exact.Fma.fma;
 
+import dev.carom.internal.exact.GapPolynomial;
 import dev.carom.internal.exact.Predicates;
 
 /**
@@ -33,15 +34,9 @@ import dev.carom.internal.exact.Predicates;
  * <p>The time is the plain root, corrected by steps {@code c = f / 2 s}: f is the polynomial's
  * value there, kept as head and tail, and s half its slope, with the sign changed. The first step
  * takes {@code s = sqrt(discriminant)}, the slope at the root itself; others, {@code s = -(b + a
- * t)}.
+ * t)}. What the first step leaves open goes to numbers without rounding, {@link GapPolynomial}.
  */
 public final class TimeOfImpact {
-
-  /**
-   * The number of steps after the first one before exact numbers take over. Near a graze the first
-   * step is a poor one.
-   */
-  static final int STEPS = 4;
 
   /** b: differences 1 + 1, product 1, sums 2: 5 u, and one more for second order and the sum. */
   private static final double DOT_BOUND = 6 * 0x1p-53;
@@ -101,7 +96,7 @@ public final class TimeOfImpact {
    *
    * @param half 1 / 2 s
    */
-  static double firstLean(double a, double w, double half) {
+  private static double firstLean(double a, double w, double half) {
     return 4 * discriminantBound(a, w) * half * half;
   }
 
@@ -147,8 +142,16 @@ public final class TimeOfImpact {
     return fma(size, turn, fma(fma(PLACE_BOUND, w, TINY), half, TINY));
   }
 
-  /** t + c to the nearest double, NaN if the error of c leaves that open. */
-  static double rounded(double t, double c, double error) {
+  /**
+   * The root near t, by the first step, to the nearest double; NaN if the error of the step leaves
+   * that open.
+   *
+   * @param f the polynomial's value at t
+   * @param half 1 / 2 s, s the root of the discriminant
+   */
+  static double corrected(double t, double f, double a, double w, double half) {
+    double c = f * half;
+    double error = stepError(w, a, half, firstLean(a, w, half), c);
     double low = t + (c - error);
     // All values in between round alike, and this one is available earlier.
     return low == t + (c + error) ? t + c : Double.NaN;

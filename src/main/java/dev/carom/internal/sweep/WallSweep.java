@@ -5,8 +5,11 @@ import static dev.carom.internal.exact.DoubleDouble.differenceTail;
 import static dev.carom.internal.exact.Fma.fma;
 
 import dev.carom.internal.exact.Dyadic;
-import dev.carom.internal.exact.ExactTime;
+import dev.carom.internal.exact.GapPolynomial;
+import dev.carom.internal.exact.Numbers;
 import dev.carom.internal.exact.Polynomial;
+import dev.carom.internal.exact.RealRoot;
+import dev.carom.internal.exact.Ring;
 
 /**
  * A disk that moves against a wall, on one axis: from above ({@code v < 0}) against everything at
@@ -76,20 +79,29 @@ public final class WallSweep {
         && h < MOST_SAFE) {
       return low;
     }
-    return exactTime(p, r, v, wall).nearest();
+    return settled(p, r, v, wall, Double.POSITIVE_INFINITY);
   }
 
   /** The same within a window: {@code +infinity} if it is later than the window's end T. */
   public static double time(double p, double r, double v, double wall, double T) {
     double t = time(p, r, v, wall);
     return t == T && t < Double.POSITIVE_INFINITY
-        ? exactTime(p, r, v, wall).upTo(t, T)
+        ? settled(p, r, v, wall, T)
         : t > T ? Double.POSITIVE_INFINITY : t;
   }
 
+  private static double settled(double p, double r, double v, double wall, double T) {
+    double time = FallSweep.settled(gap(GapPolynomial.EXACT, p, r, v, wall), T);
+    return Double.isNaN(time) ? FallSweep.settled(exactTime(p, r, v, wall), T) : time;
+  }
+
   /** The exact time of impact of a disk that moves towards a wall. */
-  public static ExactTime exactTime(double p, double r, double v, double wall) {
-    int inward = v < 0 ? 1 : -1;
-    return ExactTime.of(ParabolaWallSweep.gap(Polynomial.EXACT, p, r, v, 0, wall, inward));
+  public static RealRoot exactTime(double p, double r, double v, double wall) {
+    return RealRoot.ofStraight(gap(Polynomial.EXACT, p, r, v, wall));
+  }
+
+  private static <P extends Ring<P>> P gap(
+      Numbers<P> of, double p, double r, double v, double wall) {
+    return ParabolaWallSweep.gap(of, p, r, v, 0, wall, v < 0 ? 1 : -1);
   }
 }

@@ -16,8 +16,8 @@
  *       <td>{@code search} of {@link dev.carom.internal.sweep.GapSearch}
  *   <tr><td>where exact numbers begin
  *       <td>{@code exact} of {@link dev.carom.internal.sweep.FallSweep}; of a straight flight {@code
- *       exactly} of {@link dev.carom.internal.exact.Predicates} for a decision, {@link
- *       dev.carom.internal.exact.ExactTime} for a time
+ *       exactly} of {@link dev.carom.internal.exact.Predicates} for a decision, {@code
+ *       settled} of {@code FallSweep} for a time
  *   <tr><td>the one-way rule, the rule of ties, the test of moving obstacles
  *       <td>the package {@link dev.carom.internal.search}
  * </table>

@@ -41,19 +41,19 @@ class PrecisionCounterTest {
    * @param doubtful decisions that plain doubles left open
    * @param exact of them, those that double-double left open too
    * @param roots of doubles
-   * @param steps corrections of times of impact after the first one
-   * @param times of impact that double-double could not round
+   * @param doubtfulTimes times of impact that double-double could not round
+   * @param times of them, those that sums without rounding left open too
    * @param normals likewise
    */
   private record Counts(
-      long doubtful, long exact, long roots, long steps, long times, long normals) {
+      long doubtful, long exact, long roots, long doubtfulTimes, long times, long normals) {
 
     static Counts now() {
       return new Counts(
           PrecisionCounter.DOUBTFUL_DECISIONS.count(),
           PrecisionCounter.EXACT_DECISIONS.count(),
           PrecisionCounter.ROOTS.count(),
-          PrecisionCounter.STEPS.count(),
+          PrecisionCounter.DOUBTFUL_TIMES.count(),
           PrecisionCounter.EXACT_TIMES.count(),
           PrecisionCounter.EXACT_NORMALS.count());
     }
@@ -68,7 +68,7 @@ class PrecisionCounterTest {
           after.doubtful - before.doubtful,
           after.exact - before.exact,
           after.roots - before.roots,
-          after.steps - before.steps,
+          after.doubtfulTimes - before.doubtfulTimes,
           after.times - before.times,
           after.normals - before.normals);
     }
@@ -77,9 +77,15 @@ class PrecisionCounterTest {
   @ParameterizedTest
   @CsvFileSource(resources = "/rungs.csv", useHeadersInDisplayName = true)
   void asManyClimbAsBefore(
-      String family, long doubtful, long exact, long roots, long steps, long times, long normals) {
+      String family,
+      long doubtful,
+      long exact,
+      long roots,
+      long doubtfulTimes,
+      long times,
+      long normals) {
     assertThat(Counts.of(new Draw(family.hashCode()), question(family)))
-        .isEqualTo(new Counts(doubtful, exact, roots, steps, times, normals));
+        .isEqualTo(new Counts(doubtful, exact, roots, doubtfulTimes, times, normals));
   }
 
   private static Consumer<Draw> question(String name) {

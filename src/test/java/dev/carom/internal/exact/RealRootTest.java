@@ -38,17 +38,23 @@ class RealRootTest {
     assertThat(polynomial(-3, 1).positiveRoots(null).get(0).compare(Dyadic.of(3))).isZero();
   }
 
-  /** (p - sqrt(q)) / d: 3 - sqrt(2), a fraction, and 0 in two forms. */
+  /** The least root of a gap, 3 - sqrt(2); that of a line; and 0 where contact is at the start. */
   @Test
-  void isMadeOfATimeOfImpact() {
-    RealRoot root = RealRoot.of(new ExactTime(Dyadic.of(3), Dyadic.of(2), Dyadic.of(1)));
+  void isTheTimeOfAStraightFlight() {
+    RealRoot root = RealRoot.ofStraight(polynomial(7, -6, 1));
     assertThat(root.nearest()).isEqualTo(3 - Math.sqrt(2), within(1e-15));
-    assertThat(root.compare(polynomial(7, -6, 1).positiveRoots(null).get(0))).isZero();
-    RealRoot fraction = RealRoot.of(new ExactTime(Dyadic.of(3), Dyadic.ZERO, Dyadic.of(4)));
-    assertThat(fraction.compare(Dyadic.of(0.75))).isZero();
-    assertThat(RealRoot.of(ExactTime.ZERO).compare(Dyadic.ZERO)).isZero();
-    RealRoot zero = RealRoot.of(new ExactTime(Dyadic.of(3), Dyadic.of(9), Dyadic.of(4)));
-    assertThat(zero.compare(Dyadic.ZERO)).isZero();
+    assertThat(RealRoot.ofStraight(polynomial(3, -4)).compare(Dyadic.of(0.75))).isZero();
+    assertThat(RealRoot.ofStraight(polynomial(0, -6, 1)).compare(Dyadic.ZERO)).isZero();
+    assertThat(RealRoot.ofStraight(polynomial(-1, -6, 1)).compare(Dyadic.ZERO)).isZero();
+  }
+
+  @Test
+  void mayBeLaterThanAnEnd() {
+    double near = Math.sqrt(2);
+    double end = root2().compare(Dyadic.of(near)) > 0 ? near : Math.nextDown(near);
+    assertThat(root2().upTo(end)).isInfinite();
+    assertThat(root2().upTo(Math.nextUp(end))).isEqualTo(near);
+    assertThat(root2().upTo(Double.POSITIVE_INFINITY)).isEqualTo(near);
   }
 
   @Test

@@ -22,12 +22,14 @@ import org.junit.jupiter.params.provider.CsvSource;
 import org.junit.jupiter.params.provider.MethodSource;
 
 /** The order of exact times of impact, beside that of the oracle, which compares their digits. */
-class ExactTimeTest {
+class TimeOrderTest {
 
   private static final int QUERIES = 25;
 
-  private static ExactTime time(long p, long q, long d) {
-    return new ExactTime(Dyadic.of((double) p), Dyadic.of((double) q), Dyadic.of((double) d));
+  private static RealRoot time(long p, long q, long d) {
+    return RealRoot.ofStraight(
+        Polynomial.of(
+            Dyadic.of((double) (p * p - q)), Dyadic.of(-2.0 * p * d), Dyadic.of((double) (d * d))));
   }
 
   /** (p - sqrt(q)) / d, twice, and the sign of their difference. */
@@ -52,16 +54,17 @@ class ExactTimeTest {
     "30, 18, 3, 40, 0, 4, -1"
   })
   void signs(long p, long q, long d, long p2, long q2, long d2, int sign) {
-    assertThat(time(p, q, d).compare(time(p2, q2, d2))).isEqualTo(sign);
-    assertThat(time(p2, q2, d2).compare(time(p, q, d))).isEqualTo(-sign);
-    assertThat(time(p, q, d).compare(time(p, q, d))).isZero();
+    assertThat(time(p, q, d).order(time(p2, q2, d2))).isEqualTo(sign);
+    assertThat(time(p2, q2, d2).order(time(p, q, d))).isEqualTo(-sign);
+    assertThat(time(p, q, d).order(time(p, q, d))).isZero();
   }
 
   @Test
   void doublesAreTimesToo() {
-    assertThat(ExactTime.ZERO.compare(ExactTime.of(0))).isZero();
-    assertThat(ExactTime.ZERO.compare(ExactTime.of(Double.MIN_VALUE))).isEqualTo(-1);
-    assertThat(ExactTime.of(1.5).compare(time(3, 0, 2))).isZero();
+    assertThat(RealRoot.at(Dyadic.ZERO).order(RealRoot.at(Dyadic.ZERO))).isZero();
+    assertThat(RealRoot.at(Dyadic.ZERO).order(RealRoot.at(Dyadic.of(Double.MIN_VALUE))))
+        .isEqualTo(-1);
+    assertThat(RealRoot.at(Dyadic.of(1.5)).order(time(3, 0, 2))).isZero();
   }
 
   static Stream<Family> families() {
@@ -85,9 +88,9 @@ class ExactTimeTest {
       alike.removeIf(each -> !each.truth().hit());
       for (Query other : alike) {
         int order = alike.get(0).truth().moment().compareTo(other.truth().moment());
-        ExactTime time = exactTime(alike.get(0));
-        assertThat(time.compare(exactTime(other))).as("%s%n%s", query, other).isEqualTo(order);
-        assertThat(exactTime(other).compare(time)).as("%s%n%s", other, query).isEqualTo(-order);
+        RealRoot time = exactTime(alike.get(0));
+        assertThat(time.order(exactTime(other))).as("%s%n%s", query, other).isEqualTo(order);
+        assertThat(exactTime(other).order(time)).as("%s%n%s", other, query).isEqualTo(-order);
       }
     }
   }
@@ -122,7 +125,7 @@ class ExactTimeTest {
     return true;
   }
 
-  private static ExactTime exactTime(Query query) {
+  private static RealRoot exactTime(Query query) {
     Fall fall;
     if (query instanceof SegmentQuery q) {
       fall =
