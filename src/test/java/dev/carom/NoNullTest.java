@@ -80,8 +80,6 @@ class NoNullTest {
           sample(Warning.class, () -> new Warning(0, Kind.WALL, 0, 1, 2)),
           sample(Resolver.class, () -> world().scene().resolver()),
           sample(Casts.class, Casts::new),
-          sample(SweptCircle.class, () -> new SweptCircle(CIRCLE, new Vec2(4, 5))),
-          sample(SweptSphere.class, () -> new SweptSphere(1, 2, 3, 4, 5, 6, 7)),
           sample(Trajectory.class, NoNullTest::trajectory),
           sample(Impact.class, () -> trajectory().impacts().get(0)),
           sample(World.class, NoNullTest::world),
