@@ -166,7 +166,7 @@
  *
  * <dl>
  *   <dt>budget
- *   <dd>The work that one step may do. If it is spent, the step returns false, unfinished: see <a
+ *   <dd>The work that one step may do. If it is spent, the call throws, unfinished: see <a
  *       href="doc-files/rules.html#unfinished">unfinished steps</a>.
  *   <dt>filter
  *   <dd>The category and the mask of a thing, which say what it can meet: see {@link
@@ -205,8 +205,8 @@
  *   <dt>ulp
  *   <dd>The distance from a double to the next one, some 2^-52 of it.
  *   <dt>unfinished
- *   <dd>A step that returned false: the world stands at an earlier time than was requested, or at
- *       the requested one with impacts still to come.
+ *   <dd>A call that spent its budget, and threw: the world stands at an earlier time than was
+ *       requested, or at the requested one with impacts still to come.
  * </dl>
  */
 package dev.carom;

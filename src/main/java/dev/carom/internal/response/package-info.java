@@ -1,3 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-/** The effect of an impact: impulses, normals, and the rules for circles that are stuck. */
+/**
+ * The effect of an impact: impulses and normals; the contact of heaps under gravity ({@code
+ * ContactCore}); and circles that are stuck.
+ */
 package dev.carom.internal.response;

@@ -14,10 +14,14 @@
  *       of {@link dev.carom.internal.sweep.SideSweep}
  *   <tr><td>where a window of time is halved
  *       <td>{@code search} of {@link dev.carom.internal.sweep.GapSearch}
- *   <tr><td>where exact numbers begin
- *       <td>{@code exact} of {@link dev.carom.internal.sweep.FallSweep}; of a straight flight {@code
- *       exactly} of {@link dev.carom.internal.exact.Predicates} for a decision, {@code
+ *   <tr><td>where numbers without rounding begin
+ *       <td>{@code searched} of {@link dev.carom.internal.sweep.FallSweep}; of a straight flight
+ *       {@code exactly} of {@link dev.carom.internal.exact.Predicates} for a decision, {@code
  *       settled} of {@code FallSweep} for a time
+ *   <tr><td>where algebraic numbers begin, the last rung
+ *       <td>{@code exact} of {@link dev.carom.internal.sweep.FallSweep}; of a straight flight {@link
+ *       dev.carom.internal.exact.ExactSigns}, and {@link dev.carom.internal.exact.RealRoot} for a
+ *       time
  *   <tr><td>the one-way rule, the rule of ties, the test of moving obstacles
  *       <td>the package {@link dev.carom.internal.search}
  * </table>
