@@ -101,7 +101,7 @@ class ExtremeWorldsTest {
         case 5 -> world.addCircle(e.any(), e.any(), e.size(), e.any(), e.any(), Traits.DEFAULT);
         case 6 -> {
           Snapshot snapshot = world.snapshot();
-          world.step(0);
+          world.advanceTo(world.now(), Run.WORK); // done or not
           world.restore(snapshot);
         }
         default -> {
