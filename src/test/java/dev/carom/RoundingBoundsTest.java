@@ -38,7 +38,10 @@ import org.junit.jupiter.api.Test;
 @Tag("long")
 class RoundingBoundsTest {
   private static final long QUERIES = Long.getLong("carom.queries", 108_000);
-  private static final long SEED = Long.getLong("carom.seed", 1);
+
+  /** With 7, queries of few families show that each bound is needed; the rarest is ROOT_PLACE. */
+  private static final long SEED = Long.getLong("carom.seed", 7);
+
   private static final int CHUNK = 500;
 
   private final PatchedDetector exact = PatchedDetector.exact();
