@@ -17,6 +17,11 @@ public record Contact(Kind kind, int id, int part, double nx, double ny) {
   /**
    * Makes an answer.
    *
+   * @param kind the kind of the thing
+   * @param id its id
+   * @param part 0
+   * @param nx the x component of the unit normal
+   * @param ny the y component of the unit normal
    * @throws NullPointerException if the kind is null
    */
   public Contact {

@@ -57,7 +57,23 @@ public record Impact(
   /** The id in an answer of the detector alone, which knows no ids, and of a circle of no world. */
   static final int NO_ID = -1;
 
-  /** Checks that no component is null. */
+  /**
+   * Checks that no component is null.
+   *
+   * @param time the time of impact
+   * @param circle the id of the circle, or -1
+   * @param kind the kind of thing that was hit
+   * @param id the id of the thing
+   * @param part its part, 0
+   * @param feature what of it was hit
+   * @param x the x coordinate of the contact
+   * @param y the y coordinate of the contact
+   * @param nx the x component of the normal
+   * @param ny the y component of the normal
+   * @param approachSpeed the speed of approach
+   * @param impulse the impulse that the circle received
+   * @param outcome what the impact did
+   */
   public Impact {
     Check.notNull("kind", kind);
     Check.notNull("feature", feature);

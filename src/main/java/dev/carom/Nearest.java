@@ -17,6 +17,11 @@ public record Nearest(Kind kind, int id, double distance, double x, double y) {
   /**
    * Makes an answer.
    *
+   * @param kind the kind of thing
+   * @param id its id
+   * @param distance its distance
+   * @param x the x coordinate of its nearest point
+   * @param y the y coordinate of its nearest point
    * @throws NullPointerException if the kind is null
    */
   public Nearest {

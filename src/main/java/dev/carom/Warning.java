@@ -26,7 +26,15 @@ public record Warning(int circle, Kind kind, int id, double distance, double exp
 
   private static final List<String> WALLS = List.of("left", "right", "bottom", "top");
 
-  /** Checks that the kind is not null. */
+  /**
+   * Checks that the kind is not null.
+   *
+   * @param circle the id of the circle
+   * @param kind the kind of thing that it overlaps
+   * @param id the id of the thing
+   * @param distance their distance
+   * @param expected the least distance without an overlap
+   */
   public Warning {
     Check.notNull("kind", kind);
   }
