@@ -45,7 +45,7 @@ final class Questions implements Resolver {
   private final CircleRegistry registry;
   private final CircleQueries circles;
 
-  /** Those that a cast can hit: null if there are none, or if circles ignore each other. */
+  /** The circles that a cast can hit; null if there are none, or if they ignore each other. */
   private final CircleQueries targets;
 
   /** The one that keeps what is used again: a view of it shares that. */

@@ -92,8 +92,8 @@ public interface Resolver {
   void cast(Casts casts, double maxTime);
 
   /**
-   * Follows a circle along its path, bounces included, until a time, until its impact of a given
-   * number, or, in a world whose circles collide, until it meets a circle.
+   * Follows a circle along its path, bounces included. The path ends at a time, at its impact of a
+   * given number, or, in a world whose circles collide, at the first circle that it meets.
    *
    * <p>The circle has the acceleration that it says. Sensors that it passes are listed and do not
    * count; circles that are sensors are not listed. An impact with a circle is the last one: nobody

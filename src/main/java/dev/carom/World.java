@@ -411,7 +411,10 @@ public final class World implements Resolver {
    * while it rests. So a program can ask whether something stands on the ground:
    *
    * <pre>{@code
-   * boolean stands = world.contacts(hero).stream().anyMatch(contact -> contact.ny() > 0.5);
+   * Scene scene = Scene.builder().gravity(0, -10).bounds(0, 0, 9, 9).circle(4, 1, 1, 0, 0).build();
+   * World world = new World(scene);
+   * world.advanceTo(1);
+   * System.out.println(world.contacts(0).stream().anyMatch(it -> it.ny() > 0.5)); // true
    * }</pre>
    *
    * @param circle the id of the circle

@@ -4,12 +4,16 @@ package dev.carom.bench;
 import dev.carom.Bounds;
 import dev.carom.Casts;
 import dev.carom.Circle;
+import dev.carom.Contact;
 import dev.carom.Feature;
+import dev.carom.Filter;
 import dev.carom.Impact;
 import dev.carom.ImpactLog;
 import dev.carom.Kind;
 import dev.carom.Line;
+import dev.carom.Nearest;
 import dev.carom.Obstacle;
+import dev.carom.Outcome;
 import dev.carom.Resolver;
 import dev.carom.Response;
 import dev.carom.Scene;
@@ -18,10 +22,14 @@ import dev.carom.SceneFormatException;
 import dev.carom.Snapshot;
 import dev.carom.SnapshotBytes;
 import dev.carom.SweptCircle;
+import dev.carom.SweptSphere;
 import dev.carom.Timeline;
+import dev.carom.Traits;
 import dev.carom.Trajectory;
 import dev.carom.Uncertainty;
+import dev.carom.UnfinishedException;
 import dev.carom.Vec2;
+import dev.carom.Warning;
 import dev.carom.World;
 import java.io.ByteArrayInputStream;
 import java.io.ByteArrayOutputStream;
@@ -120,8 +128,43 @@ final class BadArguments {
               () -> new Object[] {BOX, new Bounds(-1e308, -1e308, 1e308, 1e308), null}),
           Map.entry(
               Obstacle.class,
-              () -> new Object[] {LINE, CIRCLE, BOX, new Circle(1e308, 0, 0), null}),
+              () ->
+                  new Object[] {
+                    LINE, CIRCLE, BOX, new Bounds(0, 0, 1, 1), new Circle(1e308, 0, 0), null
+                  }),
+          Map.entry(long.class, () -> new Object[] {1_000L, 1L, 0L, -1L, Long.MIN_VALUE}),
+          Map.entry(
+              Filter.class,
+              () -> new Object[] {Filter.DEFAULT, new Filter(2, 3), Filter.ALL, null}),
+          Map.entry(
+              Traits.class,
+              () ->
+                  new Object[] {
+                    Traits.DEFAULT,
+                    Traits.DEFAULT.withMass(2),
+                    Traits.DEFAULT.withResponse(Response.SENSOR).withOneWay(true),
+                    null
+                  }),
+          Map.entry(
+              SweptCircle.class,
+              () ->
+                  new Object[] {
+                    new SweptCircle(CIRCLE, V),
+                    new SweptCircle(0, 0, 0, 0, 0),
+                    new SweptCircle(-1e308, 1e308, 1e308, 1e308, 0).withAcceleration(1e308, 1),
+                    null
+                  }),
+          Map.entry(
+              SweptSphere.class,
+              () ->
+                  new Object[] {
+                    new SweptSphere(9, 8, 7, 1, -3, -2, -1),
+                    new SweptSphere(-1e308, 1e308, 0, 1e308, 1e308, 0, 0),
+                    null
+                  }),
           Map.entry(Kind.class, () -> withNull(Kind.values())),
+          Map.entry(Kind[].class, () -> new Object[] {new Kind[] {Kind.LINE}, new Kind[0], null}),
+          Map.entry(Outcome.class, () -> withNull(Outcome.values())),
           Map.entry(Feature.class, () -> withNull(Feature.values())),
           Map.entry(Response.class, () -> withNull(Response.values())),
           Map.entry(
@@ -243,6 +286,14 @@ final class BadArguments {
             Map.entry(ImpactLog.class, List.of(() -> stepped(true).impacts())),
             Map.entry(Line.class, List.of(() -> LINE, () -> new Line(0, 1e308, 1e308, 0))),
             Map.entry(Vec2.class, List.of(() -> V)),
+            Map.entry(Contact.class, List.of(() -> new Contact(Kind.LINE, 0, 0, 0, 1))),
+            Map.entry(Nearest.class, List.of(() -> new Nearest(Kind.LINE, 0, 1, 2, 3))),
+            Map.entry(Warning.class, List.of(() -> new Warning(0, Kind.LINE, 0, 1, 2))),
+            Map.entry(Filter.class, List.of(() -> Filter.DEFAULT)),
+            Map.entry(Traits.class, List.of(() -> Traits.DEFAULT)),
+            Map.entry(SweptCircle.class, List.of(() -> new SweptCircle(CIRCLE, V))),
+            Map.entry(SweptSphere.class, List.of(() -> new SweptSphere(1, 2, 3, 4, 5, 6, 7))),
+            Map.entry(UnfinishedException.class, List.of(BadArguments::unfinished)),
             Map.entry(Circle.class, List.of(() -> CIRCLE)),
             Map.entry(Bounds.class, List.of(() -> BOX)),
             Map.entry(
@@ -250,6 +301,16 @@ final class BadArguments {
                 List.of(() -> scene(true).resolver().cast(new SweptCircle(CIRCLE, V), 99).get())),
             Map.entry(SceneFormatException.class, List.of(BadArguments::badScene)));
     return all.getOrDefault(type, List.of());
+  }
+
+  private static Object unfinished() {
+    try {
+      Scene endless = Scene.builder().bounds(0, 0, 9, 9).circle(5, 5, 1, 0x1p29, 3).build();
+      new World(endless).advanceTo(1);
+      throw new IllegalStateException("finished");
+    } catch (UnfinishedException e) {
+      return e;
+    }
   }
 
   private static Object badScene() {

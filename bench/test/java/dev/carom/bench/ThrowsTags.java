@@ -14,6 +14,7 @@ import com.sun.source.util.TreePathScanner;
 import java.io.IOException;
 import java.lang.reflect.Constructor;
 import java.lang.reflect.Executable;
+import java.lang.reflect.Method;
 import java.lang.reflect.RecordComponent;
 import java.nio.file.Path;
 import java.util.HashMap;
@@ -34,9 +35,21 @@ final class ThrowsTags {
 
   private ThrowsTags() {}
 
-  /** The simple names of the exceptions that the Javadoc of a method or a constructor names. */
+  /**
+   * The simple names of the exceptions that the Javadoc of a method or a constructor names. A
+   * method of an interface is documented there.
+   */
   static Set<String> of(Executable called) throws IOException {
     Class<?> type = called.getDeclaringClass();
+    for (Class<?> above : type.getInterfaces()) {
+      if (above.getPackage() == type.getPackage() && called instanceof Method) {
+        try {
+          return of(above.getMethod(called.getName(), called.getParameterTypes()));
+        } catch (NoSuchMethodException e) {
+          continue; // a method of its own
+        }
+      }
+    }
     if (!BY_TYPE.containsKey(type)) {
       BY_TYPE.put(type, parse(type));
     }

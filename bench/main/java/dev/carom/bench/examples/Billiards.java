@@ -75,14 +75,13 @@ public final class Billiards implements Example {
 
   /** Takes the balls that met a pocket off the table. */
   private void pocket() {
-    for (int row = 0; row < world.impacts().size(); row++) {
-      int ball = world.impacts().circle(row);
-      boolean met = world.impacts().kind(row) == Kind.PEG;
-      if (met && ball == CUE) { // back to the table
+    for (Impact hit : world.impacts()) {
+      boolean met = hit.kind() == Kind.PEG;
+      if (met && hit.circle() == CUE) { // back to the table
         world.setPosition(CUE, LENGTH / 4, WIDTH / 2);
         world.setVelocity(CUE, 0, 0);
-      } else if (met && world.contains(Kind.CIRCLE, ball)) {
-        world.remove(Kind.CIRCLE, ball);
+      } else if (met && world.contains(Kind.CIRCLE, hit.circle())) {
+        world.remove(Kind.CIRCLE, hit.circle());
       }
     }
   }
@@ -90,10 +89,9 @@ public final class Billiards implements Example {
   /** The first impact of a shot; none while the cue ball rolls. */
   Optional<Impact> target() {
     Circle cue = new Circle(world.x(CUE), world.y(CUE), RADIUS);
+    SweptCircle way = new SweptCircle(cue, shot());
     boolean rests = world.vx(CUE) == 0 && world.vy(CUE) == 0;
-    return rests
-        ? world.cast(new SweptCircle(cue, shot()), Double.POSITIVE_INFINITY)
-        : Optional.empty();
+    return rests ? world.cast(way, Double.POSITIVE_INFINITY) : Optional.empty();
   }
 
   private Vec2 shot() {
@@ -143,10 +141,9 @@ public final class Billiards implements Example {
     g.setStroke(Style.line(0.005));
     g.draw(new Ellipse2D.Double(x - RADIUS, y - RADIUS, 2 * RADIUS, 2 * RADIUS));
     if (impact.kind() == Kind.CIRCLE) {
-      double ballX = impact.x() - RADIUS * impact.nx();
-      double ballY = impact.y() - RADIUS * impact.ny();
-      g.draw(
-          new Line2D.Double(ballX, ballY, ballX - 0.25 * impact.nx(), ballY - 0.25 * impact.ny()));
+      double ax = impact.x() - RADIUS * impact.nx();
+      double ay = impact.y() - RADIUS * impact.ny();
+      g.draw(new Line2D.Double(ax, ay, ax - 0.25 * impact.nx(), ay - 0.25 * impact.ny()));
     }
   }
 }

@@ -14,7 +14,7 @@ final class Disks {
    *
    * @return null for never
    */
-  static Contact contact(Vec d, Vec v, Ball reach, Feature feature, int bits) {
+  static Touch contact(Vec d, Vec v, Ball reach, Feature feature, int bits) {
     Ball b = d.dot(v);
     if (b.sign() >= 0) {
       return null;
@@ -22,14 +22,14 @@ final class Disks {
     Ball squared = reach.times(reach);
     Ball gap = d.dot(d).minus(squared);
     if (gap.sign() <= 0) {
-      return new Contact(Ball.of(0, bits), feature, true);
+      return new Touch(Ball.of(0, bits), feature, true);
     }
     Ball cross = d.cross(v);
     Ball disc = v.dot(v).times(squared).minus(cross.times(cross));
     if (disc.sign() <= 0) {
       return null;
     }
-    return new Contact(gap.over(disc.sqrt().minus(b)), feature, false);
+    return new Touch(gap.over(disc.sqrt().minus(b)), feature, false);
   }
 
   /**

@@ -7,7 +7,7 @@ import dev.carom.Kind;
  * An impact that is foreseen: of a body with a target, or else with another body of a higher
  * number.
  */
-record Event(Ball time, Contact contact, Body a, Target target, Body b) {
+record Event(Ball time, Touch contact, Body a, Target target, Body b) {
 
   Hit hit() {
     return target == null

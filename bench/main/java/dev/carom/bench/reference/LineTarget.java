@@ -35,7 +35,7 @@ final class LineTarget extends Target {
    * already, tells which part it meets.
    */
   @Override
-  Contact contact(Vec p, Vec v, Ball radius) {
+  Touch contact(Vec p, Vec v, Ball radius) {
     Vec d = p.minus(start);
     Ball c = w.cross(d);
     Ball rate = w.cross(v);
@@ -53,7 +53,7 @@ final class LineTarget extends Target {
     if (s.compareTo(squared) >= 0) {
       return Disks.contact(p.minus(end), v, radius, Feature.END, bits);
     }
-    return nearing ? new Contact(after, Feature.SIDE, within) : null;
+    return nearing ? new Touch(after, Feature.SIDE, within) : null;
   }
 
   /**
@@ -61,9 +61,9 @@ final class LineTarget extends Target {
    * ends, falls to the radius while the centre is beside or beyond that part.
    */
   @Override
-  Contact contact(Fall path, Ball radius, Ball end, Feature touched) {
+  Touch contact(Fall path, Ball radius, Ball end, Feature touched) {
     boolean left = w.cross(path.p().minus(start)).sign() > 0;
-    List<Contact> contacts = new ArrayList<>();
+    List<Touch> contacts = new ArrayList<>();
     for (boolean isLeft : new boolean[] {true, false}) {
       Vec n = isLeft ? w.left() : w.left().negate();
       Ball[] gap = path.height(n, start, radius.times(length));
@@ -78,10 +78,10 @@ final class LineTarget extends Target {
   }
 
   /** Adds the first of some times at which the centre is where that part is next. */
-  private void add(Fall path, List<Ball> times, Feature feature, List<Contact> contacts) {
+  private void add(Fall path, List<Ball> times, Feature feature, List<Touch> contacts) {
     for (Ball time : times) {
       if (part(path.at(time)) == feature) {
-        contacts.add(new Contact(time, feature, false));
+        contacts.add(new Touch(time, feature, false));
         return;
       }
     }

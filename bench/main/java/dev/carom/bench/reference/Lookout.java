@@ -46,7 +46,7 @@ final class Lookout {
         break;
       }
       Target target = prospect.target;
-      Contact contact = target.contact(body.p, body.v, body.radius);
+      Touch contact = target.contact(body.p, body.v, body.radius);
       if (contact != null) {
         Event event = new Event(body.t.plus(contact.after()), contact, body, target, null);
         first = first == null || isBefore(event, first) ? event : first;
@@ -72,7 +72,7 @@ final class Lookout {
       }
       if (wall || boxes.meet(target.box())) {
         Feature touched = target == body.last ? body.lastFeature : null;
-        Contact contact = target.contact(path, body.radius, end, touched);
+        Touch contact = target.contact(path, body.radius, end, touched);
         if (contact != null) {
           Event event = new Event(body.t.plus(contact.after()), contact, body, target, null);
           first = first == null || isBefore(event, first) ? event : first;
@@ -127,7 +127,7 @@ final class Lookout {
     if (isApart(d, u, reach, pa.size() + pb.size())) {
       return null;
     }
-    Contact contact = Disks.contact(d, u, reach, Feature.CIRCLE, a.bits);
+    Touch contact = Disks.contact(d, u, reach, Feature.CIRCLE, a.bits);
     Ball start = second ? b.t : a.t;
     return contact == null ? null : new Event(start.plus(contact.after()), contact, a, null, b);
   }

@@ -21,17 +21,17 @@ final class PegTarget extends Target {
   }
 
   @Override
-  Contact contact(Vec p, Vec v, Ball radius) {
+  Touch contact(Vec p, Vec v, Ball radius) {
     return Disks.contact(p.minus(center), v, radius.plus(this.radius), Feature.CIRCLE, bits);
   }
 
   /** The distance of the centres falls to the sum of the radii. */
   @Override
-  Contact contact(Fall path, Ball radius, Ball end, Feature touched) {
+  Touch contact(Fall path, Ball radius, Ball end, Feature touched) {
     Ball[] gap = path.distance(center, radius.plus(this.radius));
     return path.contacts(gap, end, touched != null).stream()
         .findFirst()
-        .map(after -> new Contact(after, Feature.CIRCLE, false))
+        .map(after -> new Touch(after, Feature.CIRCLE, false))
         .orElse(null);
   }
 

@@ -23,14 +23,14 @@ abstract class Target {
   /**
    * When a circle at p that moves by v first touches it, as the contract has it; null for never.
    */
-  abstract Contact contact(Vec p, Vec v, Ball radius);
+  abstract Touch contact(Vec p, Vec v, Ball radius);
 
   /**
    * When a circle that falls next touches it, until a time; null for not until then.
    *
    * @param touched the part that the circle hit at the start of its path; null for none
    */
-  abstract Contact contact(Fall path, Ball radius, Ball end, Feature touched);
+  abstract Touch contact(Fall path, Ball radius, Ball end, Feature touched);
 
   /** A box around it, in plain doubles: left, bottom, right, top. Infinite for a wall. */
   abstract double[] box();

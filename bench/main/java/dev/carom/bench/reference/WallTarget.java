@@ -28,7 +28,7 @@ final class WallTarget extends Target {
 
   /** With the distance s in front of the wall: {@code t = (s - r) / |v|}, or 0 if s <= r. */
   @Override
-  Contact contact(Vec p, Vec v, Ball radius) {
+  Touch contact(Vec p, Vec v, Ball radius) {
     Ball along = isVertical() ? v.x() : v.y();
     Ball speed = isUpper() ? along : along.negate();
     if (speed.sign() <= 0) {
@@ -39,17 +39,17 @@ final class WallTarget extends Target {
     Ball gap = distance.minus(radius);
     boolean overlapping = gap.sign() <= 0;
     Ball after = overlapping ? Ball.of(0, bits) : gap.over(speed);
-    return new Contact(after, Feature.SIDE, overlapping);
+    return new Touch(after, Feature.SIDE, overlapping);
   }
 
   /** The distance in front of the wall falls to the radius. */
   @Override
-  Contact contact(Fall path, Ball radius, Ball end, Feature touched) {
+  Touch contact(Fall path, Ball radius, Ball end, Feature touched) {
     Vec wall = isVertical() ? new Vec(place, Ball.of(0, bits)) : new Vec(Ball.of(0, bits), place);
     Ball[] gap = path.height(normal(path.p(), Feature.SIDE), wall, radius);
     return path.contacts(gap, end, touched != null).stream()
         .findFirst()
-        .map(after -> new Contact(after, Feature.SIDE, false))
+        .map(after -> new Touch(after, Feature.SIDE, false))
         .orElse(null);
   }
 

@@ -11,4 +11,4 @@ import dev.carom.Feature;
  * @param overlapping whether there was contact at the start already: then the time is 0 however the
  *     start changes
  */
-record Contact(Ball after, Feature feature, boolean overlapping) {}
+record Touch(Ball after, Feature feature, boolean overlapping) {}
