@@ -17,8 +17,10 @@ import java.lang.reflect.Executable;
 import java.lang.reflect.Method;
 import java.lang.reflect.RecordComponent;
 import java.nio.file.Path;
+import java.util.Arrays;
 import java.util.HashMap;
 import java.util.Map;
+import java.util.Optional;
 import java.util.Set;
 import java.util.TreeSet;
 import java.util.stream.Collectors;
@@ -41,19 +43,24 @@ final class ThrowsTags {
    */
   static Set<String> of(Executable called) throws IOException {
     Class<?> type = called.getDeclaringClass();
-    for (Class<?> above : type.getInterfaces()) {
-      if (above.getPackage() == type.getPackage() && called instanceof Method) {
-        try {
-          return of(above.getMethod(called.getName(), called.getParameterTypes()));
-        } catch (NoSuchMethodException e) {
-          continue; // a method of its own
-        }
-      }
+    Optional<Method> above = above(called);
+    if (above.isPresent()) {
+      return of(above.get());
     }
     if (!BY_TYPE.containsKey(type)) {
       BY_TYPE.put(type, parse(type));
     }
     return BY_TYPE.get(type).getOrDefault(signature(called), Set.of());
+  }
+
+  private static Optional<Method> above(Executable called) {
+    Class<?> type = called.getDeclaringClass();
+    return Stream.of(type.getInterfaces())
+        .filter(above -> above.getPackage() == type.getPackage())
+        .flatMap(above -> Stream.of(above.getMethods()))
+        .filter(method -> called instanceof Method && method.getName().equals(called.getName()))
+        .filter(method -> Arrays.equals(method.getParameterTypes(), called.getParameterTypes()))
+        .findAny();
   }
 
   /** The type, the name and the types of the parameters, all by simple names. */
