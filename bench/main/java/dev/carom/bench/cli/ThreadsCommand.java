@@ -29,7 +29,10 @@ import picocli.CommandLine.Spec;
           + " world of its own, and all meet after each frame. Takes a second, and longer for"
           + " larger scenes."
     },
-    footer = {"", "Example: carom-bench measure threads --circles 9999 --crosses 5000 --frames 30"},
+    footer = {
+      "",
+      "Example: carom-bench measure threads --circles 99999 --crosses 120 --radius 1 --frames 30"
+    },
     mixinStandardHelpOptions = true,
     sortOptions = false)
 final class ThreadsCommand implements Callable<Integer> {
