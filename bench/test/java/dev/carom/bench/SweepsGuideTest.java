@@ -70,7 +70,7 @@ class SweepsGuideTest {
   void fourJobsAddUpToTheLineOfTheGuide() throws Exception {
     StringBuilder lines = new StringBuilder();
     for (int first = 0; first < 10_000; first += 2_500) {
-      lines.append(print("Sweep", "", "" + first, "" + (first + 2_500)));
+      lines.append(print("Sweep", "", "--seeds", first + ".." + (first + 2_500)));
     }
     assertThat(print("Merge", lines.toString())).isEqualTo(block("output"));
   }
@@ -78,7 +78,7 @@ class SweepsGuideTest {
   /** The same as the four jobs, but on all cores at once. */
   @Test
   void oneStreamPrintsTheLineOfTheGuide() throws Exception {
-    assertThat(print("Sweep", "", "0", "10000")).isEqualTo(block("output"));
+    assertThat(print("Sweep", "", "--seeds", "0..10000")).isEqualTo(block("output"));
   }
 
   private static String print(String program, String in, String... args) throws Exception {
