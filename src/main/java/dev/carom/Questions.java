@@ -18,6 +18,7 @@ import dev.carom.internal.state.ObstacleTable;
 import dev.carom.internal.state.SceneDataBuilder;
 import dev.carom.internal.sweep.Coordinates;
 import dev.carom.internal.sweep.Hit;
+import dev.carom.internal.sweep.LineShape;
 import dev.carom.internal.util.Check;
 import dev.carom.internal.util.Index;
 import dev.carom.internal.util.KindNumber;
@@ -389,14 +390,14 @@ final class Questions implements Resolver {
    * Tells whether an obstacle stops a circle: it is no sensor, and no one-way line on its right.
    */
   private boolean isSolid(int code, Circle circle) {
+    if (obstacles.isSensor(code)) {
+      return false;
+    }
     if (Codes.isWall(code) || !obstacles.isOneWay(code)) {
-      return !obstacles.isSensor(code);
+      return true;
     }
     Line line = PublicRecords.line(obstacles, code, clock.getAsDouble());
-    double across =
-        (line.bx() - line.ax()) * (circle.y() - line.ay())
-            - (line.by() - line.ay()) * (circle.x() - line.ax());
-    return across > 0 && !obstacles.isSensor(code);
+    return LineShape.side(line.ax(), line.ay(), line.bx(), line.by(), circle.x(), circle.y()) > 0;
   }
 
   private static Contact contact(Nearest at, Circle circle) {

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 package dev.carom.internal.query;
 
-import dev.carom.internal.exact.Predicates;
 import dev.carom.internal.search.BoxTree;
 import dev.carom.internal.state.Codes;
 import dev.carom.internal.state.FilterBits;
@@ -145,7 +144,7 @@ public final class Warnings {
     double ay = values[k + LineShape.AY];
     double bx = values[k + LineShape.BX];
     double by = values[k + LineShape.BY];
-    return Predicates.cross(bx, by, ax, ay, scene.x(i), scene.y(i), ax, ay) <= 0;
+    return LineShape.side(ax, ay, bx, by, scene.x(i), scene.y(i)) <= 0;
   }
 
   private void lookAtCircle(int j, BoxTree tree) {

@@ -143,18 +143,30 @@ final class ContactLaw {
   /** In units of the coordinates: what is nearer than eight such steps touches. */
   static final double TOUCH = 8 * ULPS * 0x1p-52;
 
-  /** In radii: flights may overlap by so much by rounding, which does not add up. */
+  /**
+   * In radii: flights may overlap by so much by rounding, which does not add up. With 2^-20 {@code
+   * ContactCasesTest.disksOnAFloorThatShakesDoNotOverlap} fails.
+   */
   static final double SLACK = 64 * FLAT;
 
   // The search for flights.
 
-  /** Rounds in which flights push each other apart before they are shortened. */
+  /**
+   * Rounds in which flights push each other apart before they are given up. With 1 {@code
+   * ContactExactTest.theErrorIsOfSecondOrder} fails.
+   */
   static final int PUSHES = 4;
 
-  /** Of the overlap with the standoff that flights take back in one tick. */
+  /**
+   * Of the overlap with the standoff that flights take back in one tick. With 0 {@code
+   * ContactExactTest.theErrorIsOfSecondOrder} fails.
+   */
   static final double BACK = 0.3;
 
-  /** Squeezed circles fly aside between contacts whose normals have a cosine below this. */
+  /**
+   * Squeezed circles fly aside between contacts whose normals have a cosine below this. Without
+   * such flights {@code ContactMoversTest.aPistonPushesManyBalls} fails.
+   */
   static final double OPPOSITE = -0.9;
 
   /** So many times the speed of what moves is their speed aside. */
@@ -165,7 +177,7 @@ final class ContactLaw {
   /**
    * In radii: the margin within which pairs are listed, beside the ways of a tick. The widest
    * standoff is within it. With a wider one the list is longer, with a narrower one it is made more
-   * often.
+   * often; with 2^-9 {@code ContactRestTest.whatLosesItsSupportFalls} fails.
    */
   static final double MARGIN = 2 * WIDE;
 

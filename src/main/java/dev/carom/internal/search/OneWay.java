@@ -3,6 +3,7 @@ package dev.carom.internal.search;
 
 import dev.carom.internal.exact.Predicates;
 import dev.carom.internal.sweep.Fall;
+import dev.carom.internal.sweep.LineShape;
 
 /**
  * The rule of one-way lines, which stop circles that come from their left, as seen from start to
@@ -29,7 +30,7 @@ final class OneWay {
   }
 
   private static boolean isLeftAtStart(Fall f) {
-    return Predicates.cross(f.bx, f.by, f.ax, f.ay, f.px, f.py, f.ax, f.ay) > 0;
+    return LineShape.side(f.ax, f.ay, f.bx, f.by, f.px, f.py) > 0;
   }
 
   /** Whether the centre is left of a line at a time, by doubles; at 0, exactly. */

@@ -70,7 +70,7 @@ public final class LineShape extends ObstacleShape {
   }
 
   /** The sign of cross(b - a, p - a): positive if p is to the left of the line. */
-  private static int side(double ax, double ay, double bx, double by, double x, double y) {
+  public static int side(double ax, double ay, double bx, double by, double x, double y) {
     return Predicates.cross(bx, by, ax, ay, x, y, ax, ay);
   }
 }
