@@ -198,7 +198,7 @@ class MoveToTest {
     assertThat(world.vx(ball)).isZero();
   }
 
-  /** With {@code moveLine} in each frame most of them pass. */
+  /** With {@code setShape} in each frame most of them pass. */
   @ParameterizedTest
   @ValueSource(booleans = {false, true})
   void aPaddleSentSomewhereInEachFrameLetsNoBallThrough(boolean collide) {
