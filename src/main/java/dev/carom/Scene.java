@@ -52,8 +52,8 @@ import java.util.Optional;
  *   <li>{@code wall} is the {@linkplain Bounds bounds}. There is at most one such row.
  *   <li>The mass of a circle is 1 if it is left out. {@code inf} or {@code Infinity} is an infinite
  *       mass. See {@link SceneBuilder#mass}.
- *   <li>{@code collide,1} makes circles collide with each other. With {@code collide,0}, or without
- *       such a row, they ignore each other. There is at most one such row.
+ *   <li>With {@code collide,0} circles ignore each other. With {@code collide,1}, or without such a
+ *       row, they collide. There is at most one such row.
  *   <li>{@code gravity,gx,gy} is the {@linkplain SceneBuilder#gravity gravity}. There is at most
  *       one such row. Without it, circles fly straight.
  *   <li>The row of a wall, line, peg or circle may end in {@code restitution=NUMBER}. Without it,

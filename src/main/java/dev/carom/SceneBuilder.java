@@ -15,7 +15,6 @@ import dev.carom.internal.util.KindNumber;
  *     .line(300, 500, 500, 500).oneWay()
  *     .peg(600, 300, 25).response(Response.SENSOR)
  *     .circle(100, 100, 10, 4, 3).mass(2).restitution(0.9)
- *     .collide(true)
  *     .build();
  * System.out.println(scene.traits(Kind.CIRCLE, 0).mass()); // 2.0
  * }</pre>
@@ -205,7 +204,8 @@ public final class SceneBuilder {
   }
 
   /**
-   * Makes circles collide with each other; without it they ignore each other.
+   * Sets whether circles collide with each other; without this call they do. Circles that ignore
+   * each other cost less: see <a href="package-summary.html">how the time grows</a>.
    *
    * @param collide true if they collide
    * @return this builder

@@ -32,8 +32,9 @@ import java.util.Arrays;
  *
  * <p>The world keeps it up to date: after each call it takes in the impacts of that call, and
  * changes nothing in the world. A world keeps one, the last that it {@linkplain World#uncertainty
- * gave}. Circles must ignore each other: errors of circles that collide depend on each other, and
- * such worlds are refused. A world without an {@code Uncertainty} pays nothing for it.
+ * gave}. Circles must ignore each other, or there must be one only: errors of circles that collide
+ * depend on each other, and such worlds are refused. A world without an {@code Uncertainty} pays
+ * nothing for it.
  *
  * <h2>The bound</h2>
  *
@@ -76,7 +77,8 @@ import java.util.Arrays;
  *   <li>an edit gives it another place or velocity, or adds it, or changes gravity;
  *   <li>the world was {@linkplain World#restore restored} to an earlier flight of it;
  *   <li>it made an impact after the world began another {@code Uncertainty};
- *   <li>any line or peg moves, or moved before.
+ *   <li>any line or peg moves, or moved before;
+ *   <li>a second circle comes that it may collide with.
  * </ul>
  *
  * <p>{@link #restart} begins anew with a circle, unless it slides, rests or is in contact.
@@ -106,8 +108,9 @@ public final class Uncertainty {
   /** Begins with the present state of a world: see {@link World#uncertainty}. */
   Uncertainty(World world, double length) {
     this.world = world;
-    if (world.scene().collide()) {
-      throw Check.refused("collide of the world", true, "false: circles that ignore each other");
+    if (areColliding()) {
+      throw Check.refused(
+          "collide of a world of several circles", true, "false: circles that ignore each other");
     }
     if (!(length > 0)) {
       throw Check.refused("length", length, "more than 0");
@@ -165,9 +168,13 @@ public final class Uncertainty {
     return id < ids.length && ids[id] == id ? id : Arrays.binarySearch(ids, id);
   }
 
+  private boolean areColliding() {
+    return world.scene().collide() && world.registry.count() > 1;
+  }
+
   /** Takes in the impacts of the world's last call, before any edit. */
   void update() {
-    if (world.obstacles.areMoving()) {
+    if (world.obstacles.areMoving() || areColliding()) {
       loseAll();
       return;
     }

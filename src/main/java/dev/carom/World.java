@@ -989,8 +989,8 @@ public final class World implements Resolver {
    * @param length how far off a place may be that still counts as known, in units of the world,
    *     greater than 0; {@link Uncertainty#lostAt(int) lostAt} tells of it
    * @return the estimate, which goes on as the world does
-   * @throws IllegalArgumentException if the length is NaN or not positive, or if circles collide in
-   *     this world
+   * @throws IllegalArgumentException if the length is NaN or not positive, or if there are several
+   *     circles that collide
    */
   public Uncertainty uncertainty(double length) {
     uncertainty = new Uncertainty(this, length);

@@ -32,7 +32,7 @@ class BudgetTest {
    */
   @Test
   void twoThatCollideMayHaveSoManyEvents() {
-    SceneBuilder row = Scene.builder().bounds(0, 0, 12, 10).collide(true);
+    SceneBuilder row = Scene.builder().bounds(0, 0, 12, 10);
     row.circle(3, 5, 1, 4, 0).circle(9, 5, 1, -4, 0);
     World world = new World(row.build(), ONE_CELL);
     world.advanceTo(0.5);
@@ -52,7 +52,7 @@ class BudgetTest {
   @ParameterizedTest
   @ValueSource(ints = {1, 50})
   void ofThoseThatIgnoreEachOtherAllMayMakeSoManyImpacts(int circles) {
-    SceneBuilder scene = Scene.builder().bounds(0, 0, 10, 10).circle(5, 5, 1, 8, 0);
+    SceneBuilder scene = Scene.builder().collide(false).bounds(0, 0, 10, 10).circle(5, 5, 1, 8, 0);
     for (int i = 1; i < circles; i++) {
       scene.circle(5, 5, 1, 0, 0);
     }
@@ -69,7 +69,8 @@ class BudgetTest {
   /** A circle that spends much leaves the others their thousand impacts each. */
   @Test
   void eachMayMakeAThousandImpactsBesides() {
-    SceneBuilder scene = Scene.builder().bounds(0, 0, 10, 10).circle(5, 5, 1, 0x1p11, 0);
+    SceneBuilder scene =
+        Scene.builder().collide(false).bounds(0, 0, 10, 10).circle(5, 5, 1, 0x1p11, 0);
     World world = new World(scene.circle(5, 5, 1, 8, 0).circle(5, 5, 1, 9, 0).build());
     world.advanceTo(999);
     world.setVelocity(0, 0x1p14, 0);
@@ -103,8 +104,8 @@ class BudgetTest {
     Circle c = LEAVING;
     SceneBuilder scene = Scene.builder().bounds(b.xmin(), b.ymin(), b.xmax(), b.ymax());
     scene.collide(collide).circle(c.x(), c.y(), c.radius(), -UNIT, 0);
-    for (int i = 1; i < 401 && !collide; i++) {
-      scene.circle(5 * UNIT, 0, UNIT, 0, 0);
+    for (int i = 1; i < (collide ? 2 : 401); i++) {
+      scene.circle(5 * UNIT, collide ? 8 * UNIT : 0, UNIT, 0, 0);
     }
     return scene.build();
   }
@@ -175,7 +176,7 @@ class BudgetTest {
    */
   @Test
   void aCallMakesAnImpactWhateverItTakesToFindIt() {
-    SceneBuilder scene = Scene.builder();
+    SceneBuilder scene = Scene.builder().collide(false);
     for (int i = 0; i < 1200; i++) {
       scene.line(40 * UNIT, 0, 60 * UNIT, 0);
     }
@@ -194,7 +195,7 @@ class BudgetTest {
   /** A flight that meets more sensors than a call may report: it goes on, and time with it. */
   @Test
   void aFlightAmongVeryManySensorsGoesOnFromCallToCall() {
-    SceneBuilder scene = Scene.builder();
+    SceneBuilder scene = Scene.builder().collide(false);
     for (int i = 0; i < 400; i++) {
       scene.circle(0, i == 0 ? 0 : 100 + 10 * i, 1, i == 0 ? 1 : 0, 0);
     }
@@ -216,7 +217,7 @@ class BudgetTest {
    */
   @Test
   void moreSensorsAtOneTimeThanACallMayReportLeaveItUnfinished() {
-    SceneBuilder scene = Scene.builder();
+    SceneBuilder scene = Scene.builder().collide(false);
     for (int i = 0; i < 400; i++) {
       scene.circle(0, 100 * i, 1, i == 0 ? 1 : 0, 0);
     }

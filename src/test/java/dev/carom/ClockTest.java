@@ -36,7 +36,7 @@ class ClockTest {
 
   /** At time 0 the circles are so many frames from the field. */
   private static Scene scene(double frames) {
-    SceneBuilder builder = Scene.builder().bounds(0, -70_000, 66, 64);
+    SceneBuilder builder = Scene.builder().collide(false).bounds(0, -70_000, 66, 64);
     for (int i = 0; i < CIRCLES; i++) {
       builder.circle(i + 1, -frames * DRIFT, 1, i % 2 == 0 ? 1 : -1, DRIFT);
     }

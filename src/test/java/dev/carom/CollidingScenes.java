@@ -48,7 +48,7 @@ public final class CollidingScenes {
 
   /** Everything at once, in bounds. */
   public static SceneBuilder mixed(Random random, int count) {
-    SceneBuilder builder = Scene.builder().bounds(0, 0, 800, 600).collide(true);
+    SceneBuilder builder = Scene.builder().bounds(0, 0, 800, 600);
     obstacles(builder, random, 10, 6);
     circles(builder, random, count, 100);
     return builder;
@@ -61,7 +61,7 @@ public final class CollidingScenes {
 
   /** No bounds: circles leave for ever. */
   public static SceneBuilder open(Random random, int count) {
-    SceneBuilder builder = Scene.builder().collide(true);
+    SceneBuilder builder = Scene.builder();
     obstacles(builder, random, 10, 6);
     circles(builder, random, count, 60);
     return builder;
@@ -69,7 +69,7 @@ public final class CollidingScenes {
 
   /** Circles only, of one size. */
   public static SceneBuilder gas(Random random, int count) {
-    SceneBuilder builder = Scene.builder().bounds(0, 0, 400, 300).collide(true);
+    SceneBuilder builder = Scene.builder().bounds(0, 0, 400, 300);
     for (int i = 0; i < count; i++) {
       builder.circle(
           between(random, 8, 392),
@@ -83,7 +83,7 @@ public final class CollidingScenes {
 
   /** Restitution from 0 to above 1. */
   public static SceneBuilder inelastic(Random random, int count) {
-    SceneBuilder builder = Scene.builder().bounds(0, 0, 400, 300).restitution(1.05).collide(true);
+    SceneBuilder builder = Scene.builder().bounds(0, 0, 400, 300).restitution(1.05);
     double[] restitutions = {0, 0.5, 0.9, 1, 1.1};
     for (int i = 0; i < count; i++) {
       builder
@@ -100,7 +100,7 @@ public final class CollidingScenes {
 
   /** Whole numbers on a lattice: ties, exact contacts, paths along the edges of cells. */
   public static SceneBuilder lattice(Random random, int count) {
-    SceneBuilder builder = Scene.builder().bounds(0, 0, 320, 320).collide(true);
+    SceneBuilder builder = Scene.builder().bounds(0, 0, 320, 320);
     for (int i = 0; i < 6; i++) {
       int x = 20 * (1 + random.nextInt(15));
       int y = 20 * (1 + random.nextInt(15));

@@ -13,7 +13,7 @@ import org.junit.jupiter.params.provider.ValueSource;
 class CollisionTest {
 
   private static SceneBuilder colliding() {
-    return Scene.builder().collide(true);
+    return Scene.builder();
   }
 
   private static Run run(SceneBuilder builder) {
@@ -33,7 +33,7 @@ class CollisionTest {
 
   @Test
   void circlesThatIgnoreEachOtherDoNotCollide() {
-    Run run = run(Scene.builder().circle(0, 0, 1, 2, 0).circle(12, 0, 3, -2, 0));
+    Run run = run(Scene.builder().collide(false).circle(0, 0, 1, 2, 0).circle(12, 0, 3, -2, 0));
     assertThat(run.impacts()).isEmpty();
   }
 
@@ -77,7 +77,7 @@ class CollisionTest {
    */
   @Test
   void squeezedAgainstAWallACircleStaysInside() {
-    SceneBuilder scene = Scene.builder().collide(true).bounds(0, 0, 4, 100);
+    SceneBuilder scene = Scene.builder().bounds(0, 0, 4, 100);
     scene.circle(1, 30, 1, 0, 0).restitution(0).circle(3, 30, 1, 0, 0).restitution(0);
     World world = new World(scene.circle(2, 60, 1, 0, -1e-3).mass(100).restitution(0).build());
     for (int call = 0; call < 20 && world.now() < 1e5; call++) {
@@ -94,7 +94,7 @@ class CollisionTest {
   @ParameterizedTest
   @ValueSource(doubles = {1.2, -1.2})
   void ofTwoThatItMeetsAtOneTimeTheSmallerIdIsFirst(double y) {
-    SceneBuilder scene = Scene.builder().collide(true).circle(0, 0, 1, 1, 0).circle(6, y, 1, 0, 0);
+    SceneBuilder scene = Scene.builder().circle(0, 0, 1, 1, 0).circle(6, y, 1, 0, 0);
     World world = new World(scene.circle(6, -y, 1, 0, 0).build());
     world.step(5);
     assertThat(world.impacts().time(0)).isCloseTo(4.4, within(1e-15));

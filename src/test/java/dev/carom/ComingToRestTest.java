@@ -76,7 +76,7 @@ class ComingToRestTest {
     double e = seed % 2 == 0 ? 1 : 0.8 + 0.2 * random.nextDouble();
     double g = random.nextInt(3) == 0 ? 10 : 0.1;
     double speed = random.nextDouble() * (g > 1 ? 5 : 0.5);
-    SceneBuilder builder = Scene.builder().collide(true).bounds(0, 0, 100, 100).gravity(0, -g);
+    SceneBuilder builder = Scene.builder().bounds(0, 0, 100, 100).gravity(0, -g);
     double x = 20 + 10 * random.nextDouble();
     double y = 20 + 10 * random.nextDouble();
     builder.line(x, y, x + 60, y + 60 * random.nextDouble());

@@ -34,7 +34,7 @@ class ConcentricTest {
   @ValueSource(doubles = {1e-8, 1e-20, 1e-162, 1e-300, Double.MIN_VALUE})
   void whoFallsFromTheCentreOfAnotherMeetsItWhereItComesBack(double speed) {
     for (int sign : new int[] {1, -1}) {
-      SceneBuilder scene = Scene.builder().collide(true).gravity(0, 2 * sign);
+      SceneBuilder scene = Scene.builder().gravity(0, 2 * sign);
       scene.circle(6, 6, 1, 0, sign * speed).mass(INFINITE).circle(6, 6, 0.5, 0, 0);
       World world = new World(scene.build());
       step(world, 1e-6);
@@ -76,7 +76,7 @@ class ConcentricTest {
   void manyOnOneCentreHaveUnitNormals() {
     for (int seed = 0; seed < 120; seed++) {
       Random random = new Random(seed);
-      SceneBuilder scene = Scene.builder().collide(true).gravity(0, -random.nextInt(3));
+      SceneBuilder scene = Scene.builder().gravity(0, -random.nextInt(3));
       scene.bounds(-10, -10, 30, 30).restitution(0.5);
       for (int i = random.nextInt(3); i > 0; i--) {
         scene.peg(centre(random), 6, random.nextInt(3)).velocity(0, speed(random));

@@ -19,7 +19,7 @@ import org.junit.jupiter.params.provider.ValueSource;
 class ContactCasesTest {
 
   private static SceneBuilder falling(double g) {
-    return Scene.builder().collide(true).gravity(0, -g);
+    return Scene.builder().gravity(0, -g);
   }
 
   /**

@@ -18,7 +18,7 @@ class ContactExactTest {
   private static final double G = 0.05;
 
   private static SceneBuilder falling() {
-    return Scene.builder().collide(true).gravity(0, -G);
+    return Scene.builder().gravity(0, -G);
   }
 
   /**
@@ -102,7 +102,7 @@ class ContactExactTest {
   })
   void aRowOnLevelGroundCollidesAsWithoutGravity(int standing, int coming, double e, double gap) {
     World falling = new World(row(falling(), standing, coming, e, gap).build());
-    SceneBuilder weightless = Scene.builder().collide(true);
+    SceneBuilder weightless = Scene.builder();
     ContactRun right = new ContactRun(new World(row(weightless, standing, coming, e, gap).build()));
     for (int t = 50; t <= 800; t += 150) {
       falling.advanceTo(t);

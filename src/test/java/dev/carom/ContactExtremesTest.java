@@ -16,7 +16,7 @@ import org.junit.jupiter.params.provider.ValueSource;
 class ContactExtremesTest {
 
   private static SceneBuilder falling() {
-    return Scene.builder().collide(true).gravity(0, -0.05);
+    return Scene.builder().gravity(0, -0.05);
   }
 
   /**

@@ -17,7 +17,7 @@ import org.junit.jupiter.params.provider.CsvSource;
 class ContactMoversTest {
 
   private static SceneBuilder falling() {
-    return Scene.builder().collide(true).gravity(0, -0.05);
+    return Scene.builder().gravity(0, -0.05);
   }
 
   /** Rows of balls of radius 10 between two walls, from the bottom up. */

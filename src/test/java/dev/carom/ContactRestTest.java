@@ -49,7 +49,7 @@ class ContactRestTest {
   @ParameterizedTest
   @ValueSource(doubles = {0, 0.5})
   void aLandingBallWakesOnlyTheHeapItLandsOn(double e) {
-    SceneBuilder scene = Scene.builder().collide(true).gravity(0, -0.05).bounds(0, 0, 500, 900);
+    SceneBuilder scene = Scene.builder().gravity(0, -0.05).bounds(0, 0, 500, 900);
     Random random = new Random(2);
     scene.line(249, 0, 249, 400).line(251, 0, 251, 400);
     for (int i = 0; i < 80; i++) {
@@ -88,7 +88,7 @@ class ContactRestTest {
   @ParameterizedTest
   @CsvSource({"0, 1, 0", "0, -1, 0.5", "1, 0, 0.5", "0.7, 0.3, 0", "0, 0.01, 0"})
   void aHeapThatIsCarriedCostsNothing(double vx, double vy, double e) {
-    SceneBuilder scene = Scene.builder().collide(true).gravity(0, -0.05);
+    SceneBuilder scene = Scene.builder().gravity(0, -0.05);
     scene.line(0, 0, 127, 0).line(0, 0, 0, 200).line(127, 0, 127, 200);
     Random random = new Random(4);
     for (int i = 0; i < 20; i++) {
@@ -124,7 +124,7 @@ class ContactRestTest {
   @ParameterizedTest
   @ValueSource(doubles = {0, 0.5, 0.9})
   void aHeapOnOpenGroundKeepsItsMomentumAlongIt(double e) {
-    SceneBuilder scene = Scene.builder().collide(true).gravity(0, -0.05);
+    SceneBuilder scene = Scene.builder().gravity(0, -0.05);
     scene.line(-50_000, 0, 50_000, 0);
     Random random = new Random(6);
     double right = 0;

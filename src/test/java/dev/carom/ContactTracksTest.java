@@ -60,9 +60,9 @@ class ContactTracksTest {
       double dx = 1 + random.nextInt(12);
       double dy = random.nextInt(3) == 0 ? 0 : -1 - random.nextInt(9);
       double[] start = {20 * dx + random.nextDouble(), 25 + random.nextDouble(), 3, 0};
-      SceneBuilder one = Scene.builder().collide(true).gravity(0, -PlainTrack.G);
+      SceneBuilder one = Scene.builder().gravity(0, -PlainTrack.G);
       one.line(0, 0, 40 * pieces * dx, 40 * pieces * dy);
-      SceneBuilder many = Scene.builder().collide(true).gravity(0, -PlainTrack.G);
+      SceneBuilder many = Scene.builder().gravity(0, -PlainTrack.G);
       for (int k = 0; k < pieces; k++) {
         many.line(40 * k * dx, 40 * k * dy, 40 * (k + 1) * dx, 40 * (k + 1) * dy);
       }

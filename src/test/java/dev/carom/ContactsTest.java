@@ -57,7 +57,6 @@ class ContactsTest {
         new World(
             Scene.builder()
                 .gravity(0, -10)
-                .collide(true)
                 .bounds(0, 0, 4, 99)
                 .line(0, 1, 4, 1)
                 .response(Response.SENSOR)

@@ -12,7 +12,7 @@ class CradleTest {
   @ParameterizedTest
   @CsvSource({"1, 1", "1, 4", "2, 3", "3, 2", "4, 1", "5, 5", "1, 200", "500, 500"})
   void asManyLeaveAsComeIn(int moving, int resting) {
-    SceneBuilder builder = Scene.builder().bounds(-1100, -5, 1100, 5).collide(true);
+    SceneBuilder builder = Scene.builder().bounds(-1100, -5, 1100, 5);
     for (int i = 0; i < moving; i++) {
       builder.circle(2 * (i - moving) - 3, 0, 1, 1, 0);
     }

@@ -191,7 +191,7 @@ class EndsTest {
    */
   @Test
   void bumpersAboveOneEndAmongCirclesThatCollide() {
-    SceneBuilder scene = Scene.builder().collide(true).bounds(0, 0, 40, 40).restitution(1.1);
+    SceneBuilder scene = Scene.builder().bounds(0, 0, 40, 40).restitution(1.1);
     scene.circle(37, 20, 2, 0, 0).mass(1e-3).circle(20, 20.5, 3, 1, 0);
     World world = new World(scene.build());
     world.advanceTo(100);
@@ -206,7 +206,9 @@ class EndsTest {
    */
   @Test
   void aWallAlongWhichACircleSlidIsThereForItWhenAPegTurnsIt() {
-    World world = new World(Scene.builder().bounds(-100, 0, 100, 4).circle(0, 2, 2, 1, 1).build());
+    World world =
+        new World(
+            Scene.builder().collide(false).bounds(-100, 0, 100, 4).circle(0, 2, 2, 1, 1).build());
     world.advanceTo(0);
     world.addCircle(50, 2, 1, 0, 0, Traits.DEFAULT);
     world.addPeg(2, 4, 2 * Math.sqrt(2) - 2, Traits.DEFAULT);
@@ -218,7 +220,7 @@ class EndsTest {
 
   /** With a small budget each may make 10,000 impacts a call; circles 3 and 5 need far more. */
   private static Scene busy() {
-    SceneBuilder builder = Scene.builder().bounds(0, 0, 64, 64);
+    SceneBuilder builder = Scene.builder().collide(false).bounds(0, 0, 64, 64);
     for (int i = 0; i < 800; i++) {
       double speed = i == 3 ? 0x1p22 + 0.5 : i == 5 ? 0x1p21 : 1 + i / 64.0;
       builder.circle(8 + i % 48, 32, 1, speed, 0.25);
@@ -267,7 +269,7 @@ class EndsTest {
   /** A step that takes back its own impacts leaves those of earlier steps. */
   @Test
   void anUnfinishedStepTakesBackNothingButItsOwn() {
-    SceneBuilder builder = Scene.builder().bounds(0, 0, 64, 64);
+    SceneBuilder builder = Scene.builder().collide(false).bounds(0, 0, 64, 64);
     builder.circle(32, 32, 1, 0, 0);
     World world = new World(builder.circle(50, 32, 1, 8, 0).build());
     world.step(2);
@@ -282,7 +284,8 @@ class EndsTest {
   /** 2,000,000 impacts, of which a circle may make all. */
   @Test
   void theBudgetIsSpentToTheLastImpact() {
-    SceneBuilder builder = Scene.builder().bounds(0, 0, 64, 64).circle(32, 32, 1, 0x1p27, 0);
+    SceneBuilder builder =
+        Scene.builder().collide(false).bounds(0, 0, 64, 64).circle(32, 32, 1, 0x1p27, 0);
     World world = new World(builder.circle(32, 32, 1, 0, 0).build());
     assertThatThrownBy(() -> world.step(1)).isInstanceOf(UnfinishedException.class);
     assertThat(world.impacts().size()).isEqualTo(2_000_000);

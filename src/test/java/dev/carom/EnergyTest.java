@@ -105,7 +105,12 @@ class EnergyTest {
     double c = 300 * Math.cos(angle);
     double s = 300 * Math.sin(angle);
     SceneBuilder builder =
-        Scene.builder().line(c, s, -s, c).line(-s, c, -c, -s).line(-c, -s, s, -c).line(s, -c, c, s);
+        Scene.builder()
+            .collide(false)
+            .line(c, s, -s, c)
+            .line(-s, c, -c, -s)
+            .line(-c, -s, s, -c)
+            .line(s, -c, c, s);
     Random random = new Random(1);
     for (int i = 0; i < 20; i++) {
       builder.circle(

@@ -111,7 +111,7 @@ public final class EverydayScenes {
   /** Builds the scene. */
   public Scene scene() {
     double g = GRAVITY * length() / (view.time * view.time);
-    builder = Scene.builder().collide(true).gravity(0, -view.y * g);
+    builder = Scene.builder().gravity(0, -view.y * g);
     double narrow = balls <= 10 ? 107 : balls <= 30 ? 167 : balls <= 100 ? 267 : 387;
     double high = 200 + 30 * balls / ((narrow - 22) / 22);
     switch (shape) {

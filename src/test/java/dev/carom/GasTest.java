@@ -48,7 +48,7 @@ class GasTest {
   /** On a square lattice that fills the box, radius 1, with random velocities. */
   private static Scene gas(double length) {
     Random random = new Random(1);
-    SceneBuilder builder = Scene.builder().bounds(0, 0, length, length).collide(true);
+    SceneBuilder builder = Scene.builder().bounds(0, 0, length, length);
     for (int i = 0; i < COUNT; i++) {
       double x = (i % SIDE + 0.5) * length / SIDE;
       int row = i / SIDE;

@@ -40,7 +40,7 @@ class GravityEditsTest {
 
   @Test
   void aLiftThatStoppedCarriesAHeap() {
-    SceneBuilder scene = Scene.builder().gravity(0, -10).collide(true);
+    SceneBuilder scene = Scene.builder().gravity(0, -10);
     scene.line(0, 0, 0, 20).line(5, 0, 5, 20).line(-1, 1, 6, 1).velocity(0, 0.5);
     scene.circle(1.5, 3, 1, 0, 0).restitution(0.5).circle(3.5, 4, 1, 0, 0).restitution(0.5);
     scene.circle(2.6, 7, 1, 0, 0).restitution(0.5);
@@ -110,7 +110,7 @@ class GravityEditsTest {
   /** One has landed on the other, which rested. They fall alike, and do not meet again. */
   @Test
   void twoBallsOnEachOtherFallTogether() {
-    SceneBuilder setup = Scene.builder().gravity(0, -10).collide(true);
+    SceneBuilder setup = Scene.builder().gravity(0, -10);
     setup.line(0, 0, 20, 0).restitution(0).circle(10, 1, 1, 0, 0).circle(10, 8, 1, 0, 0);
     World world = new World(setup.build());
     rows(world, 2.5);
@@ -123,7 +123,7 @@ class GravityEditsTest {
 
   @Test
   void collidingBallsBeginToFall() {
-    SceneBuilder builder = Scene.builder().bounds(0, 0, 100, 100).collide(true);
+    SceneBuilder builder = Scene.builder().bounds(0, 0, 100, 100);
     for (int i = 0; i < 9; i++) {
       builder.circle(10 + 9 * i, 40 + 5 * i, 3, i - 4, 0);
     }

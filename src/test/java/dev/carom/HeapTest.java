@@ -16,7 +16,7 @@ class HeapTest {
   private static final double INFINITE = Double.POSITIVE_INFINITY;
 
   private static SceneBuilder open() {
-    return Scene.builder().gravity(0, -10).collide(true);
+    return Scene.builder().gravity(0, -10);
   }
 
   /** Two balls side by side between walls, and one that comes down between them. */

@@ -18,7 +18,7 @@ class ImpactsAtOneTimeTest {
   @ParameterizedTest
   @ValueSource(ints = {1, -1})
   void aBallHitsTwoInTheOrderOfTheirIds(int y) {
-    SceneBuilder scene = Scene.builder().collide(true);
+    SceneBuilder scene = Scene.builder();
     scene.circle(-5, 0, 1, 1, 0).circle(0, y, 1, 0, 0).circle(0, -y, 1, 0, 0);
     World world = new World(scene.build());
     assertReaches(world, 10);
@@ -33,7 +33,7 @@ class ImpactsAtOneTimeTest {
   /** Two lines press a ball down upon one that halts, and nothing holds that one. */
   @Test
   void twoCirclesThatHaltFallTogether() {
-    SceneBuilder scene = Scene.builder().collide(true).gravity(0, -10);
+    SceneBuilder scene = Scene.builder().gravity(0, -10);
     scene.line(-10, -3, 10, 4).line(-10, 6, 10, -3);
     scene.circle(0, 0, 2, 2, 0).circle(0.25, -0.75, 1, 0, 0).response(Response.HALT);
     World world = new World(scene.build());
@@ -48,7 +48,7 @@ class ImpactsAtOneTimeTest {
   @ParameterizedTest
   @ValueSource(doubles = {0, -1, -10})
   void twoElasticCirclesThatOverlapObstaclesJam(double g) {
-    SceneBuilder scene = Scene.builder().collide(true).gravity(0, g);
+    SceneBuilder scene = Scene.builder().gravity(0, g);
     scene.line(1, 4, -3, -2).line(4, 4, 3, 6).peg(0, -2, 1);
     scene.circle(2.5, 3, 2, -2, 2).circle(0, 0, 2, 1, 2);
     World world = new World(scene.build());
@@ -62,7 +62,7 @@ class ImpactsAtOneTimeTest {
   /** A ball on the floor of a box, and two that overlap between it, the walls and the ceiling. */
   @Test
   void elasticCirclesThatJamEachOtherDoNotFreeEachOtherForEver() {
-    SceneBuilder scene = Scene.builder().collide(true).gravity(0, -10).bounds(-3, -3, 3, 3);
+    SceneBuilder scene = Scene.builder().gravity(0, -10).bounds(-3, -3, 3, 3);
     scene.circle(0, 0, 2, 0, -2).circle(0, 3, 2, 2, 0).circle(0, 3, 2, -2, -1);
     assertReaches(new World(scene.build()), 2);
   }
@@ -70,7 +70,7 @@ class ImpactsAtOneTimeTest {
   /** The lower one rests, the upper one falls beside it, until both have the same height. */
   @Test
   void twoBallsInAShaftOfTheirWidthComeToAnEnd() {
-    SceneBuilder scene = Scene.builder().collide(true).gravity(0, -10);
+    SceneBuilder scene = Scene.builder().gravity(0, -10);
     scene.bounds(0, 0, 2, 10).restitution(0.9);
     scene.circle(0.5, 0.5, 0.5, 0, 0).restitution(0.9).circle(0.75, 1.75, 0.5, 0, 0);
     World world = new World(scene.restitution(0.9).build());
@@ -82,7 +82,7 @@ class ImpactsAtOneTimeTest {
   /** A ball in a corner makes many impacts without bounce while another one bounces on it. */
   @Test
   void blowsOfAnotherCircleDoNotMakeACircleInACornerStuck() {
-    SceneBuilder scene = Scene.builder().collide(true).gravity(0, -10);
+    SceneBuilder scene = Scene.builder().gravity(0, -10);
     scene.bounds(0, 0, 10, 10).restitution(0);
     scene.circle(1, 1, 1, 0, 0).circle(1.5, 5, 1, 0, 0).restitution(0.9);
     World world = new World(scene.build());
@@ -98,7 +98,7 @@ class ImpactsAtOneTimeTest {
   /** The light ball is pressed between them, and makes few impacts. */
   @Test
   void heavyBallsRollOnWithALightOneBetweenThem() {
-    SceneBuilder scene = Scene.builder().collide(true).gravity(0, -10).bounds(0, 0, 8, 30);
+    SceneBuilder scene = Scene.builder().gravity(0, -10).bounds(0, 0, 8, 30);
     scene.restitution(0.5).circle(2, 0.3, 0.3, 1, 0).restitution(0).mass(1000);
     scene.circle(2.601, 0.3, 0.3, 0, 0).restitution(0).mass(0.1);
     World world = new World(scene.circle(3.2, 0.28, 0.28, 0, 0).restitution(0).mass(100).build());

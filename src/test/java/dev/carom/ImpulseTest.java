@@ -18,7 +18,7 @@ class ImpulseTest {
   /** Disks of unlike masses in a square, with lines and moving obstacles among them, or without. */
   private static SceneBuilder gas(double restitution) {
     Random random = new Random(3);
-    SceneBuilder scene = Scene.builder().bounds(0, 0, LENGTH, LENGTH).collide(true);
+    SceneBuilder scene = Scene.builder().bounds(0, 0, LENGTH, LENGTH);
     for (int i = 0; i < COUNT; i++) {
       double x = 5 * (i % 12) + 2;
       double y = 5 * (i / 12) + 2;
@@ -134,6 +134,7 @@ class ImpulseTest {
     World world =
         new World(
             Scene.builder()
+                .collide(false)
                 .gravity(0, -10)
                 .line(-100, 0, 0, 0)
                 .line(0, 0, 100, -75)
@@ -163,7 +164,6 @@ class ImpulseTest {
     World world =
         new World(
             Scene.builder()
-                .collide(true)
                 .circle(0, 0, 1, 1, 0)
                 .mass(Double.POSITIVE_INFINITY)
                 .circle(5, 0, 1, 0, 0)
@@ -183,7 +183,6 @@ class ImpulseTest {
     World world =
         new World(
             Scene.builder()
-                .collide(true)
                 .bounds(-100, -100, 100, 100)
                 .circle(0, 0, 1, 0, 0)
                 .mass(4)
@@ -228,7 +227,6 @@ class ImpulseTest {
     World world =
         new World(
             Scene.builder()
-                .collide(true)
                 .circle(0, 0, 1, 1, 0)
                 .mass(2)
                 .response(Response.HALT)

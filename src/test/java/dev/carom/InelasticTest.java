@@ -48,7 +48,7 @@ class InelasticTest {
   @ValueSource(doubles = {0, 0.5})
   void aGasThatCoolsGoesOn(double restitution) {
     Random random = new Random(1);
-    SceneBuilder builder = Scene.builder().bounds(0, 0, 28, 28).collide(true);
+    SceneBuilder builder = Scene.builder().bounds(0, 0, 28, 28);
     for (int i = 0; i < 49; i++) {
       double x = 2 + 4 * (i % 7) + 0.8 * random.nextDouble();
       int row = i / 7;
@@ -73,7 +73,7 @@ class InelasticTest {
   @ParameterizedTest
   @CsvSource({"0, 8", "0.5, 8", "0, 20"})
   void aRowPushedByAHeavyOneJamsAndGoesOn(double restitution, int count) {
-    SceneBuilder builder = Scene.builder().bounds(0, -10, 20 + 3 * count, 10).collide(true);
+    SceneBuilder builder = Scene.builder().bounds(0, -10, 20 + 3 * count, 10);
     for (int i = 0; i < count; i++) {
       builder.circle(10 + 2.5 * i, 0, 1, 0, 0).restitution(restitution);
     }
@@ -98,7 +98,7 @@ class InelasticTest {
   @ValueSource(doubles = {0, 0.5})
   void aClusterKeepsMomentum(double restitution) {
     Random random = new Random(2);
-    SceneBuilder builder = Scene.builder().collide(true);
+    SceneBuilder builder = Scene.builder();
     double px = 0;
     double py = 0;
     for (int i = 0; i < 25; i++) {

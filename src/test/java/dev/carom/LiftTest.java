@@ -53,7 +53,7 @@ class LiftTest {
     "5, 0.3, 3"
   })
   void aLiftTakesAStackAlong(int balls, double e, double speed) {
-    SceneBuilder scene = Scene.builder().gravity(0, -10).collide(true).line(0, 0, 4, 0);
+    SceneBuilder scene = Scene.builder().gravity(0, -10).line(0, 0, 4, 0);
     World world = new World(stack(scene.bounds(1.5, -10, 2.5, 100), balls, e).build());
     play(world, 1);
     world.setVelocity(Kind.LINE, 0, 0, speed);
@@ -67,7 +67,7 @@ class LiftTest {
   /** The log tells of each ball that gave way; at the next tick all have the speed of the lift. */
   @Test
   void eachBallOfAStackHasARow() {
-    SceneBuilder scene = Scene.builder().gravity(0, -10).collide(true).line(0, 0, 4, 0);
+    SceneBuilder scene = Scene.builder().gravity(0, -10).line(0, 0, 4, 0);
     World world = new World(stack(scene.velocity(0, 1), 4, 0).build());
     world.advanceTo(0);
     assertThat(circles(world.impacts())).containsExactlyInAnyOrder(0, 1, 2, 3);
@@ -80,7 +80,7 @@ class LiftTest {
   @ParameterizedTest
   @CsvSource({"2, 0", "2, 0.3", "3, 0.5"})
   void aCircleOfInfiniteMassLiftsAStack(int balls, double e) {
-    SceneBuilder scene = Scene.builder().gravity(0, -10).collide(true).bounds(1.5, -10, 2.5, 100);
+    SceneBuilder scene = Scene.builder().gravity(0, -10).bounds(1.5, -10, 2.5, 100);
     stack(scene, balls, e).circle(2, -5, 5, 0, 1).mass(INFINITE).restitution(e);
     World world = new World(scene.build());
     play(world, 3);
@@ -90,7 +90,7 @@ class LiftTest {
   /** A press stops upon the first of three balls, which have crushed each other. */
   @Test
   void ballsThatAPressCrushedCollideAgainWhenItStops() {
-    SceneBuilder scene = Scene.builder().gravity(0, -10).collide(true).bounds(0, 0, 2.8, 30);
+    SceneBuilder scene = Scene.builder().gravity(0, -10).bounds(0, 0, 2.8, 30);
     scene.line(0.01, -1, 0.01, 31).restitution(0.5).velocity(1, 0);
     double[] radii = {0.26838199107459054, 0.29425024364785923, 0.2857621593882945};
     double[] places = {0.46838199107459055, 1.0510142257970405, 1.6510266288331943};
@@ -113,7 +113,7 @@ class LiftTest {
   @ParameterizedTest
   @CsvSource({"0", "0.5"})
   void aLiftThatPressesAStackAgainstTheCeilingGoesThrough(double e) {
-    SceneBuilder scene = Scene.builder().gravity(0, -10).collide(true).bounds(1.5, -10, 2.5, 5);
+    SceneBuilder scene = Scene.builder().gravity(0, -10).bounds(1.5, -10, 2.5, 5);
     scene.line(0, 0, 4.3, 0).velocity(0, 1);
     World world = new World(stack(scene, 3, e).build());
     play(world, 6);

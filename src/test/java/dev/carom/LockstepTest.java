@@ -48,7 +48,7 @@ class LockstepTest {
   @Test
   void theFirstObstacleFindsNoDifference() {
     for (double x : new double[] {2, 50}) {
-      SceneBuilder scene = Scene.builder().bounds(0, 0, 100, 100).collide(true);
+      SceneBuilder scene = Scene.builder().bounds(0, 0, 100, 100);
       World world = new World(scene.circle(x, 50, 1, 0.25, 0).build());
       world.step(0.1);
       assertSame(world, w -> w.addPeg(6, 7, 0, Traits.DEFAULT.withResponse(Response.SENSOR)));
@@ -80,7 +80,7 @@ class LockstepTest {
   /** An edit comes after the impacts of now, also of a circle that is gone. */
   @Test
   void theLastImpactOfACircleThatWasRemovedIsNotForgotten() {
-    SceneBuilder setup = Scene.builder().bounds(0, 0, 10, 10).collide(true).circle(5, 2, 1, 0.7, 0);
+    SceneBuilder setup = Scene.builder().bounds(0, 0, 10, 10).circle(5, 2, 1, 0.7, 0);
     Scene scene = setup.circle(5, 8, 1, 0, 0.3).build();
     int rounded = 0;
     for (Run.Row row : Run.advance(new World(scene), 200).impacts()) {
@@ -102,7 +102,8 @@ class LockstepTest {
   @ParameterizedTest
   @ValueSource(ints = {0, 1, 2, 3})
   void anUnfinishedStepLeavesNoDifference(int sensors) {
-    SceneBuilder builder = Scene.builder().bounds(0, 0, 10, 10).circle(5, 5, 1, 8, 0);
+    SceneBuilder builder =
+        Scene.builder().collide(false).bounds(0, 0, 10, 10).circle(5, 5, 1, 8, 0);
     for (int i = 1; i < 400; i++) {
       builder.circle(5, 5, 1, 0, 0); // the more there are, the less each one may do
     }

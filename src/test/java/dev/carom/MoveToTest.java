@@ -329,7 +329,7 @@ class MoveToTest {
   @ParameterizedTest
   @CsvSource({"1, 0", "1, 0.3", "3, 0.3", "-1, 0.3", "-3, 0"})
   void aHeapStaysOnALiftThatStops(double speed, double e) {
-    SceneBuilder scene = Scene.builder().gravity(0, -10).bounds(0, -50, 4, 50).collide(true);
+    SceneBuilder scene = Scene.builder().gravity(0, -10).bounds(0, -50, 4, 50);
     scene.line(-1, 0, 5, 0);
     for (int i = 0; i < 10; i++) {
       scene.circle(0.6 + 0.7 * (i % 5), 1 + 1.5 * i, 0.5, 0, 0).restitution(e);

@@ -205,7 +205,6 @@ class MovingObstaclesTest {
     World world =
         world(
             Scene.builder()
-                .collide(true)
                 .bounds(0, 0, 100, 100)
                 .line(90, 40, 90, 60)
                 .velocity(1, 0)
@@ -343,7 +342,7 @@ class MovingObstaclesTest {
     Impact ofCircle = resting.cast(other, 10).orElseThrow();
     assertThat(ofCircle.point()).isEqualTo(new Vec2(21, 0));
     assertThat(resting.withAcceleration(0, -1).cast(other, 10)).isEmpty();
-    SceneBuilder scene = Scene.builder().collide(true).circle(12, 0, 1, 4, 0);
+    SceneBuilder scene = Scene.builder().circle(12, 0, 1, 4, 0);
     Impact ofWorld = world(scene).cast(new SweptCircle(circle, Vec2.ZERO), 10).orElseThrow();
     assertThat(ofWorld.point()).isEqualTo(new Vec2(21, 0));
     World still = world(Scene.builder().line(12, -10, 12, 10).velocity(3, 0));

@@ -26,7 +26,7 @@ class NearTiesTest {
     final Random random;
     final double way;
     final double speed;
-    final SceneBuilder builder = Scene.builder().collide(true);
+    final SceneBuilder builder = Scene.builder();
     private final boolean sensors;
 
     Cross(long seed) {
@@ -119,7 +119,7 @@ class NearTiesTest {
   void soDoManyThatAreLate(int seed) {
     Random random = new Random(seed);
     boolean whole = random.nextBoolean();
-    SceneBuilder builder = Scene.builder().collide(true);
+    SceneBuilder builder = Scene.builder();
     if (random.nextInt(4) > 0) {
       builder.bounds(0, 0, 40, 40);
     }
@@ -160,7 +160,7 @@ class NearTiesTest {
     int impacts = 0;
     for (int seed = 0; seed < SEEDS; seed++) {
       Random random = new Random(seed);
-      SceneBuilder builder = Scene.builder().collide(true);
+      SceneBuilder builder = Scene.builder();
       if (random.nextInt(4) > 0) {
         builder.bounds(0, 0, 40, 40);
       }
@@ -207,7 +207,7 @@ class NearTiesTest {
   }
 
   private static Scene small(Random random) {
-    SceneBuilder builder = Scene.builder().collide(true);
+    SceneBuilder builder = Scene.builder();
     if (random.nextInt(4) > 0) {
       builder.bounds(0, 0, 40, 40);
     }

@@ -49,7 +49,6 @@ class PathOfACircleTest {
   void endsAtTheFirstBallInTheWayAndListsSensors() {
     SceneBuilder scene =
         Scene.builder()
-            .collide(true)
             .bounds(0, 0, 100, 100)
             .line(60, 0, 60, 100)
             .response(Response.SENSOR)
@@ -90,8 +89,7 @@ class PathOfACircleTest {
     Random random = new Random(5);
     int hits = 0;
     for (int k = 0; k < 200; k++) {
-      SceneBuilder scene =
-          Scene.builder().collide(true).bounds(0, 0, 40, 40).gravity(0, -1).line(9, 9, 30, 12);
+      SceneBuilder scene = Scene.builder().bounds(0, 0, 40, 40).gravity(0, -1).line(9, 9, 30, 12);
       for (int i = 0; i < 4; i++) {
         scene.circle(4 + 10 * i, 30 - 3 * i, 1, random.nextGaussian(), random.nextGaussian());
       }
@@ -132,6 +130,7 @@ class PathOfACircleTest {
     World world =
         new World(
             Scene.builder()
+                .collide(false)
                 .gravity(0, -10)
                 .circle(0, 5, 1, 2, 3)
                 .circle(9, 5, 1, 2, 3)
@@ -148,8 +147,7 @@ class PathOfACircleTest {
   /** One that falls as a circle of the world does meets it as if both flew straight. */
   @Test
   void aCastFallsBesideCirclesThatFall() {
-    Scene scene =
-        Scene.builder().collide(true).gravity(0, -10).circle(20, 0, 1, -1, 0).mass(2).build();
+    Scene scene = Scene.builder().gravity(0, -10).circle(20, 0, 1, -1, 0).mass(2).build();
     World world = new World(scene);
     Impact hit = world.cast(new SweptCircle(0, 0, 1, 2, 0, 0, -10), 9).orElseThrow();
     assertThat(hit.time()).isEqualTo(6);

@@ -39,7 +39,7 @@ final class PlainTrack {
 
   /** Lines go from left to right: their left, which is solid where they are one-way, is above. */
   Scene scene() {
-    SceneBuilder scene = Scene.builder().collide(true).gravity(0, -G);
+    SceneBuilder scene = Scene.builder().gravity(0, -G);
     double vx = moves ? random.nextDouble() - 0.5 : 0;
     double vy = moves ? random.nextDouble() * 0.4 - 0.2 : 0;
     int bend = random.nextInt(4);

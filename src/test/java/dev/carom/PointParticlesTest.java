@@ -18,7 +18,7 @@ import org.junit.jupiter.params.provider.ValueSource;
 class PointParticlesTest {
 
   private static SceneBuilder room() {
-    return Scene.builder().bounds(0, 0, 100, 100);
+    return Scene.builder().collide(false).bounds(0, 0, 100, 100);
   }
 
   @Test
@@ -80,7 +80,7 @@ class PointParticlesTest {
   @ParameterizedTest
   @ValueSource(ints = {1, 2, 500})
   void pointsInLineWithoutBounds(int count) {
-    SceneBuilder scene = Scene.builder().collide(true);
+    SceneBuilder scene = Scene.builder();
     for (int i = 0; i < count; i++) {
       scene.circle(1000.0 + i, 7, 0, 1, i % 5);
     }
@@ -137,7 +137,7 @@ class PointParticlesTest {
   /** The smallest radius above 0 limits coordinates; points do not. */
   @Test
   void pointsLimitNoCoordinate() {
-    World world = new World(Scene.builder().circle(0, 0, 0, 1, 1).build());
+    World world = new World(Scene.builder().collide(false).circle(0, 0, 0, 1, 1).build());
     world.setPosition(0, 1e300, 1);
     assertThat(world.addPeg(-1e305, 0, 1, Traits.DEFAULT)).isZero();
     assertThatIllegalArgumentException()

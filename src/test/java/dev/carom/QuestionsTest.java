@@ -294,7 +294,7 @@ class QuestionsTest {
   @Test
   void aCastLooksAtFewFallingCircles() {
     Random random = new Random(1);
-    SceneBuilder scene = Scene.builder().bounds(0, 0, 500, 500).collide(true).gravity(0, -0.05);
+    SceneBuilder scene = Scene.builder().bounds(0, 0, 500, 500).gravity(0, -0.05);
     for (int i = 0; i < 2_500; i++) {
       double x = 5 + 10 * (i % 50);
       double y = 5 + 10 * (i / 50);

@@ -47,7 +47,7 @@ public final class RandomScenes {
 
   /** Short lines and pegs in bounds. */
   public static SceneBuilder mixed(Random random) {
-    SceneBuilder builder = Scene.builder().bounds(0, 0, 800, 600);
+    SceneBuilder builder = Scene.builder().collide(false).bounds(0, 0, 800, 600);
     lines(builder, random, 60, 30);
     pegs(builder, random, 40, 12);
     circles(builder, random, 60, 20);
@@ -56,7 +56,7 @@ public final class RandomScenes {
 
   /** A few lines right across, others axis-parallel, some points. */
   public static SceneBuilder longLines(Random random) {
-    SceneBuilder builder = Scene.builder().bounds(0, 0, 800, 600);
+    SceneBuilder builder = Scene.builder().collide(false).bounds(0, 0, 800, 600);
     lines(builder, random, 8, 900);
     for (int i = 0; i < 12; i++) {
       double x = Math.rint(between(random, 0, 800));
@@ -69,7 +69,7 @@ public final class RandomScenes {
 
   /** As mixed, each line and peg with a response of its own, some lines one-way. */
   public static SceneBuilder responses(Random random) {
-    SceneBuilder builder = Scene.builder().bounds(0, 0, 800, 600);
+    SceneBuilder builder = Scene.builder().collide(false).bounds(0, 0, 800, 600);
     Response[] responses = Response.values();
     for (int i = 0; i < 60; i++) {
       lines(builder, random, 1, 90);
@@ -88,7 +88,7 @@ public final class RandomScenes {
 
   /** Radii from 1 to 100 among few obstacles. */
   public static SceneBuilder mixedRadii(Random random) {
-    SceneBuilder builder = Scene.builder().bounds(-200, -200, 1000, 800);
+    SceneBuilder builder = Scene.builder().collide(false).bounds(-200, -200, 1000, 800);
     lines(builder, random, 15, 60);
     pegs(builder, random, 5, 30);
     circles(builder, random, 80, 99);
@@ -97,7 +97,7 @@ public final class RandomScenes {
 
   /** Circles that fall among lines and pegs, some of which take energy, and settle on the floor. */
   public static SceneBuilder falling(Random random) {
-    SceneBuilder builder = Scene.builder().gravity(0, -0.5);
+    SceneBuilder builder = Scene.builder().collide(false).gravity(0, -0.5);
     builder.bounds(0, 0, 800, 600).restitution(0.5);
     for (int i = 0; i < 30; i++) {
       lines(builder, random, 1, 90);
@@ -111,7 +111,7 @@ public final class RandomScenes {
 
   /** No bounds; circles come from far away, some past everything, some never. */
   public static SceneBuilder open(Random random) {
-    SceneBuilder builder = Scene.builder();
+    SceneBuilder builder = Scene.builder().collide(false);
     lines(builder, random, 60, 50);
     pegs(builder, random, 30, 12);
     for (int i = 0; i < 100; i++) {
@@ -134,7 +134,7 @@ public final class RandomScenes {
 
   /** Whole numbers on a lattice: ties, joints, exact contacts, paths along the edges of cells. */
   public static SceneBuilder lattice(Random random) {
-    SceneBuilder builder = Scene.builder().bounds(0, 0, 640, 640);
+    SceneBuilder builder = Scene.builder().collide(false).bounds(0, 0, 640, 640);
     for (int i = 0; i < 80; i++) {
       int x = 20 * (1 + random.nextInt(30));
       int y = 20 * (1 + random.nextInt(30));

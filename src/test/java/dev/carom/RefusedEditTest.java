@@ -233,7 +233,13 @@ class RefusedEditTest {
   @MethodSource("farEdits")
   void aRadiusTooSmallForWhatWasPutFarAway(Consumer<World> edit) {
     World world =
-        new World(Scene.builder().line(1, 2, 3, 4).peg(9, 9, 1).circle(0, 99, 16, 0, 0).build());
+        new World(
+            Scene.builder()
+                .collide(false)
+                .line(1, 2, 3, 4)
+                .peg(9, 9, 1)
+                .circle(0, 99, 16, 0, 0)
+                .build());
     edit.accept(world);
     assertTooSmall(world);
   }

@@ -28,7 +28,7 @@ class RespondTest {
       double m2 = i % 3 == 0 ? 1 : 9 * random.nextDouble() + 1e-3;
       double e = i % 5 / 4.0;
       // So large that they overlap: the impact is at 0, and the places are as given.
-      SceneBuilder setup = Scene.builder().collide(true);
+      SceneBuilder setup = Scene.builder();
       setup.circle(n[0], n[1], 15, v[0], v[1]).mass(m1);
       Scene scene = setup.circle(n[2], n[3], 15, v[2], v[3]).mass(m2).restitution(e).build();
       World world = new World(scene);

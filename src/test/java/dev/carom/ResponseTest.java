@@ -14,7 +14,7 @@ import org.junit.jupiter.params.provider.ValueSource;
 class ResponseTest {
 
   private static SceneBuilder box() {
-    return Scene.builder().bounds(0, 0, 100, 100);
+    return Scene.builder().collide(false).bounds(0, 0, 100, 100);
   }
 
   private static List<Run.Row> impacts(SceneBuilder scene, double end) {
@@ -37,7 +37,8 @@ class ResponseTest {
 
   @Test
   void aPegAndTheBoundsCanHalt() {
-    SceneBuilder scene = Scene.builder().bounds(0, 0, 100, 100).response(Response.HALT);
+    SceneBuilder scene =
+        Scene.builder().collide(false).bounds(0, 0, 100, 100).response(Response.HALT);
     scene.peg(50, 20, 5).response(Response.HALT).circle(20, 20, 5, 3, 0).circle(20, 50, 5, 3, 1);
     World world = new World(scene.build());
     world.step(100);
@@ -48,7 +49,7 @@ class ResponseTest {
 
   @Test
   void bothCirclesOfAPairLoseTheirMotionAlongTheNormal() {
-    SceneBuilder scene = Scene.builder().collide(true);
+    SceneBuilder scene = Scene.builder();
     scene.circle(0, 0, 1, 2, 1).mass(5).response(Response.HALT).circle(10, 4, 1, -2, -1);
     World world = new World(scene.build());
     world.step(3);
@@ -60,7 +61,7 @@ class ResponseTest {
 
   @Test
   void atACircleThatNothingDeflectsTheOtherTakesOverItsMotion() {
-    SceneBuilder scene = Scene.builder().collide(true);
+    SceneBuilder scene = Scene.builder();
     scene.circle(0, 0, 1, 3, 0).response(Response.HALT);
     World world = new World(scene.circle(10, 0, 1, -1, 0).mass(Double.POSITIVE_INFINITY).build());
     world.step(10);

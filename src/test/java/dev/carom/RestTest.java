@@ -29,7 +29,7 @@ class RestTest {
 
   /** A pair, a chain from wall to wall, a pile in a corner, and one between line and peg. */
   private static SceneBuilder resting(double vx, double vy) {
-    SceneBuilder builder = Scene.builder().bounds(0, 0, 40, 100).collide(true);
+    SceneBuilder builder = Scene.builder().bounds(0, 0, 40, 100);
     builder.line(0, 50, 40, 50).peg(20, 56, 1);
     for (int i = 0; i < 20; i++) {
       builder.circle(1 + 2 * i, 30, 1, vx, vy);
@@ -62,7 +62,7 @@ class RestTest {
 
   /** From wall to wall, touching both. */
   private static SceneBuilder chain(double speed, double restitution) {
-    SceneBuilder builder = Scene.builder().bounds(0, 0, 40, 100).collide(true);
+    SceneBuilder builder = Scene.builder().bounds(0, 0, 40, 100);
     for (int i = 0; i < 20; i++) {
       builder.circle(1 + 2 * i, 30, 1, 0, speed).restitution(restitution);
     }
@@ -71,8 +71,7 @@ class RestTest {
 
   @Test
   void whatMovesAlongAnotherTangentiallyLeavesIt() {
-    Scene scene =
-        Scene.builder().circle(0, 0, 1, 0, 0).circle(2, 0, 1, 0, 1e-9).collide(true).build();
+    Scene scene = Scene.builder().circle(0, 0, 1, 0, 0).circle(2, 0, 1, 0, 1e-9).build();
     World world = new World(scene);
     assertThat(impactsOf(world, 100_000)).isZero();
     assertThat(Run.states(world).get(0)).isEqualTo(new Run.State(0, 0, 0, 0));
@@ -82,8 +81,7 @@ class RestTest {
   @ParameterizedTest
   @ValueSource(doubles = {1e-300, 1e-15, 1e-9, 1e-3})
   void aNearlyRestingPairInContactCollidesOnce(double speed) {
-    Scene scene =
-        Scene.builder().circle(0, 0, 1, speed, 0).circle(2, 0, 1, 0, 0).collide(true).build();
+    Scene scene = Scene.builder().circle(0, 0, 1, speed, 0).circle(2, 0, 1, 0, 0).build();
     World world = new World(scene);
     assertThat(impactsOf(world, 100_000)).isEqualTo(1);
     assertThat(world.vx(0)).isZero();
@@ -94,7 +92,7 @@ class RestTest {
   @Test
   void pairsWithoutBounceStayTogether() {
     int pairs = 100;
-    SceneBuilder builder = Scene.builder().collide(true);
+    SceneBuilder builder = Scene.builder();
     Random random = new Random(1);
     for (int i = 0; i < pairs; i++) {
       double angle = random.nextDouble() * 6;
@@ -123,7 +121,6 @@ class RestTest {
             .line(0, 0, -x, y)
             .restitution(restitution)
             .circle(0.3, 40, 1, 0, -speed)
-            .collide(true)
             .build());
   }
 

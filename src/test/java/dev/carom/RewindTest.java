@@ -181,7 +181,6 @@ class RewindTest {
   private static World sensors() {
     return new World(
         Scene.builder()
-            .collide(true)
             .circle(0, 0, 1, 1, 0)
             .response(Response.SENSOR)
             .circle(10, 0, 1, 0, 0)

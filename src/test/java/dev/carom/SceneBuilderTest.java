@@ -18,7 +18,8 @@ class SceneBuilderTest {
   private static final double INFINITY = Double.POSITIVE_INFINITY;
 
   private static SceneBuilder two() {
-    SceneBuilder builder = Scene.builder().line(1, 2, 3, 4).line(5, 6, 7, 8).peg(1, 2, 3);
+    SceneBuilder builder =
+        Scene.builder().collide(false).line(1, 2, 3, 4).line(5, 6, 7, 8).peg(1, 2, 3);
     return builder.circle(1, 2, 3, 4, 5).circle(1, 2, 3, 4, 5).circle(1, 2, 3, 4, 5);
   }
 
@@ -155,12 +156,13 @@ class SceneBuilderTest {
   @MethodSource("thingsThatReachTo1024")
   void refusesCirclesThatRoundingCouldCarryThroughALine(Consumer<SceneBuilder> thing) {
     double least = 0x1p-32;
-    SceneBuilder enough = Scene.builder().circle(0, 0, least, 1, 0);
+    SceneBuilder enough = Scene.builder().collide(false).circle(0, 0, least, 1, 0);
     thing.accept(enough);
     assertThat(((Circle) enough.build().shape(Kind.CIRCLE, 0)).radius()).isEqualTo(least);
 
     double less = Math.nextDown(least);
-    SceneBuilder tooSmall = Scene.builder().circle(0, 0, 1, 0, 0).circle(0, 0, less, 1, 0);
+    SceneBuilder tooSmall =
+        Scene.builder().collide(false).circle(0, 0, 1, 0, 0).circle(0, 0, less, 1, 0);
     thing.accept(tooSmall);
     assertThatIllegalArgumentException()
         .isThrownBy(tooSmall::build)
@@ -173,7 +175,11 @@ class SceneBuilderTest {
   @Test
   void namesTheFirstCircleThatIsTooSmall() {
     SceneBuilder builder =
-        Scene.builder().circle(1024, 0, 1e-30, 0, 0).circle(0, 0, 1e-30, 0, 0).line(0, 0, 1, 1);
+        Scene.builder()
+            .collide(false)
+            .circle(1024, 0, 1e-30, 0, 0)
+            .circle(0, 0, 1e-30, 0, 0)
+            .line(0, 0, 1, 1);
     assertThatIllegalArgumentException()
         .isThrownBy(builder::build)
         .withMessageStartingWith("circle 0: radius is 1.0E-30: expected at least ");

@@ -15,7 +15,7 @@ class SceneTest {
 
   /** Two of each kind, every number of its own. */
   private static SceneBuilder full() {
-    SceneBuilder builder = Scene.builder().bounds(-1, -2, 801, 602).restitution(0.5);
+    SceneBuilder builder = Scene.builder().collide(false).bounds(-1, -2, 801, 602).restitution(0.5);
     builder.line(11, 12, 13, 14).line(21, 22, 23, 24).restitution(0.25);
     builder.peg(31, 32, 33).restitution(1.5).peg(41, 42, 0);
     builder.circle(51, 52, 53, 54, 55).mass(56).restitution(0);

@@ -61,7 +61,7 @@ class SnapshotStreamTest {
 
   /** A line and a peg that move with a velocity, and two circles. */
   private static byte[] small(double velocity) {
-    SceneBuilder scene = Scene.builder().bounds(0, 0, 100, 100);
+    SceneBuilder scene = Scene.builder().collide(false).bounds(0, 0, 100, 100);
     scene.line(10, 20, 30, 40).velocity(velocity, 0).peg(50, 50, 5).velocity(0, velocity);
     World world = new World(scene.circle(70, 70, 3, 1, -2).circle(20, 80, 3, 1, -2).build());
     world.step(40);
@@ -145,7 +145,7 @@ class SnapshotStreamTest {
   }
 
   private static SceneBuilder room() {
-    return Scene.builder().bounds(0, 0, 100, 100);
+    return Scene.builder().collide(false).bounds(0, 0, 100, 100);
   }
 
   private static int size(SceneBuilder scene) {
@@ -390,7 +390,7 @@ class SnapshotStreamTest {
     seal(bytes);
     Snapshot read = read(bytes);
     assertThat(SnapshotBytes.of(read)).isEqualTo(bytes);
-    World world = new World(Scene.builder().bounds(0, 0, 100, 100).build());
+    World world = new World(Scene.builder().collide(false).bounds(0, 0, 100, 100).build());
     world.restore(read);
     assertThat(world.addCircle(50, 20, 4, 1, 1, Traits.DEFAULT)).isEqualTo(1_000_000_000);
     world.step(1);
@@ -486,7 +486,7 @@ class SnapshotStreamTest {
   private static final int GRAVITY = TAIL_OF_EDIT + 2 * 24 + 8;
 
   private static byte[] falling() {
-    SceneBuilder scene = Scene.builder().bounds(0, 0, 100, 100).gravity(0, -0.125);
+    SceneBuilder scene = Scene.builder().collide(false).bounds(0, 0, 100, 100).gravity(0, -0.125);
     scene.line(10, 20, 30, 40).peg(50, 50, 5).circle(70, 70, 3, 1, -2).circle(20, 80, 3, 1, -2);
     World world = new World(scene.build());
     world.step(2);

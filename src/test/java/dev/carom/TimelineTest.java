@@ -60,6 +60,7 @@ class TimelineTest {
   void whatAStepTookBackLeavesNoTrace(int duration) {
     SceneBuilder scene =
         Scene.builder()
+            .collide(false)
             .bounds(0, 0, 100, 100)
             .circle(5, 50, 1, 20, 0)
             .line(0, 0, 100, 0)

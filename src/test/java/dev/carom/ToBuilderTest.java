@@ -25,7 +25,6 @@ class ToBuilderTest {
         .circle(30, 20, 2, 3, 1)
         .filter(new Filter(2, 1))
         .gravity(0, -0.5)
-        .collide(true)
         .build();
   }
 

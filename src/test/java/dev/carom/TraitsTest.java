@@ -31,7 +31,6 @@ class TraitsTest {
         .traits(HALF.withResponse(Response.SENSOR))
         .circle(20, 20, 2, 3, 1)
         .traits(HEAVY)
-        .collide(true)
         .build();
   }
 

@@ -34,7 +34,7 @@ class UncertaintyEditsTest {
   /** Plays until the error is wide, and the side casts were asked, at the start of a free way. */
   @BeforeEach
   void play() {
-    SceneBuilder builder = Scene.builder().bounds(0, 0, 200, 200);
+    SceneBuilder builder = Scene.builder().collide(false).bounds(0, 0, 200, 200);
     for (int i = 0; i < 16; i++) {
       builder.peg(25 + 50 * (i % 4) + 2 * (i / 4), 25 + 50 * (i / 4), 6);
     }

@@ -19,7 +19,7 @@ class UncertaintyTest {
   private static final double U = 0x1p-53;
 
   private static SceneBuilder billiard() {
-    SceneBuilder builder = Scene.builder().bounds(0, 0, 100, 100).peg(50, 50, 22);
+    SceneBuilder builder = Scene.builder().collide(false).bounds(0, 0, 100, 100).peg(50, 50, 22);
     return builder.circle(15, 20, 2, 1.3, 2.1).circle(80, 15, 2, -0.7, 2.9);
   }
 
@@ -32,10 +32,18 @@ class UncertaintyTest {
 
   @Test
   void refusesWorldsWhoseCirclesCollide() {
-    World world = new World(billiard().collide(true).build());
+    World world = new World(Scene.builder().circle(0, 0, 1, 1, 0).build());
+    Uncertainty uncertainty = world.uncertainty(1);
+    world.step(1);
+    assertThat(uncertainty.bound(0)).isFinite();
+    world.addCircle(9, 0, 1, 0, 0, Traits.DEFAULT);
+    world.step(1);
+    assertThat(uncertainty.bound(0)).isInfinite();
     assertThatThrownBy(() -> world.uncertainty(1))
         .isInstanceOf(IllegalArgumentException.class)
-        .hasMessage("collide of the world is true: expected false: circles that ignore each other");
+        .hasMessage(
+            "collide of a world of several circles is true: expected false: circles that ignore each"
+                + " other");
   }
 
   @Test
@@ -362,7 +370,7 @@ class UncertaintyTest {
 
   @Test
   void aCircleThatNothingMovesIsKnownBesideOnesThatFall() {
-    SceneBuilder setup = Scene.builder().bounds(0, 0, 100, 90).gravity(0, -1);
+    SceneBuilder setup = Scene.builder().collide(false).bounds(0, 0, 100, 90).gravity(0, -1);
     setup.circle(50, 60, 2, 1, 0).mass(Double.POSITIVE_INFINITY).circle(20, 60, 2, 1, 0);
     Scene scene = setup.build();
     World world = new World(scene);

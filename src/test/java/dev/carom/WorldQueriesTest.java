@@ -20,7 +20,7 @@ class WorldQueriesTest {
   private static final double NEVER = Double.POSITIVE_INFINITY;
 
   private static SceneBuilder room() {
-    return Scene.builder().bounds(0, 0, 100, 100);
+    return Scene.builder().collide(false).bounds(0, 0, 100, 100);
   }
 
   // First impacts.
@@ -65,7 +65,7 @@ class WorldQueriesTest {
   }
 
   private static int firstBesideFalling(double resting, double falling, boolean isFallingFirst) {
-    World world = new World(Scene.builder().gravity(0, -1).collide(true).build());
+    World world = new World(Scene.builder().gravity(0, -1).build());
     double fallen = 0.5 * 4 * 4;
     for (int i = 0; i < 2; i++) {
       boolean falls = (i == 0) == isFallingFirst;
@@ -273,8 +273,7 @@ class WorldQueriesTest {
   @Test
   void aRowOfTwoCirclesNamesTheSmallerIdFirst() {
     World world =
-        new World(
-            Scene.builder().collide(true).circle(50, 50, 5, 0, 0).circle(80, 50, 5, -1, 0).build());
+        new World(Scene.builder().circle(50, 50, 5, 0, 0).circle(80, 50, 5, -1, 0).build());
     world.step(21);
     ImpactLog log = world.impacts();
     assertThat(log.size()).isOne();

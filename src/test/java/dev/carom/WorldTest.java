@@ -38,7 +38,11 @@ class WorldTest {
 
   /** A circle falls onto the floor, with a second one that flies past. */
   private static SceneBuilder floor() {
-    return Scene.builder().line(-100, 0, 100, 0).circle(0, 10, 2, 1, -4).circle(0, 20, 2, 0, 8);
+    return Scene.builder()
+        .collide(false)
+        .line(-100, 0, 100, 0)
+        .circle(0, 10, 2, 1, -4)
+        .circle(0, 20, 2, 0, 8);
   }
 
   // Clock and places.
@@ -161,7 +165,7 @@ class WorldTest {
   /** Where a step ended early, what is left of it always moves the clock. */
   @Test
   void whatIsLeftOfAnUnfinishedStepIsEnough() {
-    SceneBuilder scene = Scene.builder().bounds(0, 0, 10, 10).circle(5, 5, 1, 8, 0);
+    SceneBuilder scene = Scene.builder().collide(false).bounds(0, 0, 10, 10).circle(5, 5, 1, 8, 0);
     for (int i = 1; i < 400; i++) {
       scene.circle(5, 5, 1, 0, 0);
     }
@@ -244,7 +248,7 @@ class WorldTest {
 
   @Test
   void impactsStandInTheOrderOfTimeThenOfCircles() {
-    SceneBuilder builder = Scene.builder().line(-1000, 0, 1000, 0);
+    SceneBuilder builder = Scene.builder().collide(false).line(-1000, 0, 1000, 0);
     for (int i = 0; i < 100; i++) {
       builder.circle(i, 2 + (i * 37 % 100) / 2, 2, 0, -1);
     }
@@ -357,8 +361,7 @@ class WorldTest {
   @Test
   void theModelSaysWhatIsUsed() {
     SceneBuilder empty = Scene.builder().bounds(0, 0, 9, 9).circle(4, 4, 1, 1, 1);
-    assertThat(world(empty).toString())
-        .endsWith("; circles that ignore each other, no lines or pegs]");
+    assertThat(world(empty).toString()).endsWith("; circles that collide, no lines or pegs]");
     assertThat(world(empty.collide(true)).toString())
         .endsWith("; circles that collide, no lines or pegs]");
     assertThat(world(floor()).toString()).contains("1 line or peg without a grid");
@@ -386,7 +389,7 @@ class WorldTest {
   /** Coordinates may be -0; where a component of the normal is 0, it is not. */
   @Test
   void normalsHaveNoMinusZero() {
-    SceneBuilder scene = Scene.builder().line(-4, -0.0, 4, 0).circle(0, 3, 1, 0, -1);
+    SceneBuilder scene = Scene.builder().collide(false).line(-4, -0.0, 4, 0).circle(0, 3, 1, 0, -1);
     scene.circle(0, -3, 1, 0, 1).line(-0.0, 10, 0, 18).circle(3, 14, 1, -1, 0);
     World world = new World(scene.circle(-3, 14, 1, 1, 0).build());
     world.step(2);
@@ -400,7 +403,7 @@ class WorldTest {
 
   @Test
   void aWorldTellsWhatIsThereAndWhen() {
-    SceneBuilder scene = Scene.builder().bounds(0, 0, 9, 8).collide(true).line(1, 2, 3, 4);
+    SceneBuilder scene = Scene.builder().bounds(0, 0, 9, 8).line(1, 2, 3, 4);
     World world = new World(scene.peg(5, 5, 1).peg(6, 5, 1).circle(7, 2, 1, 2, 0).build());
     world.remove(Kind.PEG, 0);
     world.addCircle(2, 7, 0.5, 0, 0, Traits.DEFAULT);
@@ -413,12 +416,12 @@ class WorldTest {
     assertThat(new World(Scene.builder().build()))
         .hasToString(
             "World[now=0.0, 0 circles, bounds none, 0 impacts in the last step;"
-                + " circles that ignore each other, no lines or pegs]");
+                + " circles that collide, no lines or pegs]");
   }
 
   @Test
   void aLogTellsItsFirstRows() {
-    SceneBuilder scene = Scene.builder().bounds(0, 0, 10, 20).line(4, 4, 6, 4);
+    SceneBuilder scene = Scene.builder().collide(false).bounds(0, 0, 10, 20).line(4, 4, 6, 4);
     World world = new World(scene.circle(5, 2, 1, 0, 4).circle(5, 10, 1, 2, 0).build());
     assertThat(world.impacts()).hasToString("ImpactLog of 0 rows");
     world.step(1);

@@ -259,7 +259,7 @@ final class BadArguments {
                 List.of(
                     () -> stepped(true),
                     () -> stepped(false),
-                    () -> new World(Scene.builder().build()))),
+                    () -> new World(Scene.builder().collide(false).build()))),
             Map.entry(
                 SceneBuilder.class,
                 List.of(

@@ -57,7 +57,7 @@ class CollapseTest {
   @ParameterizedTest
   @CsvSource({"3, 0.05", "8, 0", "8, 0.3", "20, 0.5"})
   void aChainCollapsesAndGoesOn(int count, double e) {
-    SceneBuilder builder = Scene.builder().collide(true);
+    SceneBuilder builder = Scene.builder();
     for (int i = 0; i < count; i++) {
       builder
           .circle(3 * i, 0, 1, i == 0 ? 1 : i == count - 1 ? -1 : 0, 0)

@@ -25,7 +25,7 @@ class HeapTest {
     int side = count > 100 ? 15 : 10;
     double spacing = count > 100 ? 6.5 : 9;
     Random random = new Random(count);
-    SceneBuilder scene = Scene.builder().bounds(0, 0, 100, 100).restitution(e).collide(true);
+    SceneBuilder scene = Scene.builder().bounds(0, 0, 100, 100).restitution(e);
     for (int i = 0; i < count; i++) {
       double x = 5 + spacing * (i % side) + off * random.nextDouble();
       int row = i / side;

@@ -24,7 +24,7 @@ class InfiniteMassTest {
   private static final double INFINITE = Double.POSITIVE_INFINITY;
 
   private static SceneBuilder colliding() {
-    return Scene.builder().collide(true);
+    return Scene.builder();
   }
 
   private static int count(ImpactLog log, Outcome outcome) {

@@ -46,7 +46,7 @@ class JammedCirclesTest {
   @ParameterizedTest
   @ValueSource(ints = {3, 5, 8, 20})
   void aRowWithoutBounceIsNotPressedIntoItself(int count) {
-    SceneBuilder builder = Scene.builder().collide(true);
+    SceneBuilder builder = Scene.builder();
     double[] radii = new double[count];
     for (int i = 0; i < count; i++) {
       builder.circle(3 * i, 0, 1, i == 0 ? 1 : i == count - 1 ? -1 : 0, 0).restitution(0);
@@ -72,7 +72,7 @@ class JammedCirclesTest {
 
   private static World row(int exponent) {
     double speed = Math.scalb(1.0, exponent);
-    SceneBuilder builder = Scene.builder().collide(true);
+    SceneBuilder builder = Scene.builder();
     for (int i = 0; i < 5; i++) {
       builder.circle(3 * i, 0, 1, i == 0 ? speed : i == 4 ? -speed : 0, 0).restitution(0);
     }
@@ -85,7 +85,6 @@ class JammedCirclesTest {
   void bumpersDriveNoCircleThroughAnother(double end) {
     SceneBuilder builder =
         Scene.builder()
-            .collide(true)
             .bounds(0, 0, 100, 80)
             .restitution(1.1)
             .circle(93.50504846265642, 27.84381529396026, 5.000000000000003, 2000, 0)
@@ -109,7 +108,7 @@ class JammedCirclesTest {
   @ParameterizedTest
   @CsvSource({"1e-3, 0, 20", "1e-3, 0, 20.5", "1e-3, 0.5, 20", "1e-9, 0, 20", "0x1p-500, 0.5, 20"})
   void aLightCircleIsNotPressedThroughAWall(double mass, double e, double y) {
-    SceneBuilder scene = Scene.builder().collide(true).bounds(0, 0, 40, 40);
+    SceneBuilder scene = Scene.builder().bounds(0, 0, 40, 40);
     scene.circle(37, 20, 2, 0, 0).mass(mass).circle(20, y, 3, 1, 0).restitution(e);
     World world = new World(scene.build());
     assertApart(world, 100, 200, 2, 3);
@@ -125,7 +124,7 @@ class JammedCirclesTest {
   @ParameterizedTest
   @ValueSource(doubles = {20, 20.5, 22})
   void aLightCircleThatGathersSpeedInOneMomentIsNotPassedThrough(double y) {
-    SceneBuilder scene = Scene.builder().collide(true).bounds(0, 0, 40, 40).restitution(0.9);
+    SceneBuilder scene = Scene.builder().bounds(0, 0, 40, 40).restitution(0.9);
     scene.circle(39, 20, 2, 0, 0).mass(0x1p-500).circle(20, y, 3, 1, 0).restitution(1.5);
     World world = new World(scene.build());
     assertApart(world, 100, 200, 2, 3);

@@ -17,7 +17,7 @@ class LatticeTest {
   private static final int SIDE = 8;
 
   private static SceneBuilder square() {
-    SceneBuilder builder = Scene.builder().collide(true).bounds(0, 0, 2 * SIDE, 2 * SIDE);
+    SceneBuilder builder = Scene.builder().bounds(0, 0, 2 * SIDE, 2 * SIDE);
     for (int i = 0; i < SIDE * SIDE; i++) {
       int row = i / SIDE;
       builder.circle(1 + 2 * (i % SIDE), 1 + 2 * row, 1, 0, 0);
@@ -48,7 +48,7 @@ class LatticeTest {
   /** A cue ball into fifteen in a triangle: momentum and energy are kept. */
   @Test
   void aBreakKeepsMomentumAndEnergy() {
-    SceneBuilder builder = Scene.builder().collide(true).circle(-10, 0.1, 1, 5, 0);
+    SceneBuilder builder = Scene.builder().circle(-10, 0.1, 1, 5, 0);
     for (int row = 0; row < 5; row++) {
       for (int k = 0; k <= row; k++) {
         builder.circle(row * Math.sqrt(3), 2 * k - row, 1, 0, 0);

@@ -81,11 +81,7 @@ class MagnitudeTest {
   @CsvSource({"1, 1e-300", "1, 1e150", "1e200, 1e200", "1e-200, 1e-200", "1e-290, 1", "1e300, 1e7"})
   void aPairSwapsItsVelocities(double size, double speed) {
     World world =
-        world(
-            Scene.builder()
-                .collide(true)
-                .circle(0, 0, size, speed, 0)
-                .circle(5 * size, 0, size, 0, 0));
+        world(Scene.builder().circle(0, 0, size, speed, 0).circle(5 * size, 0, size, 0, 0));
     assertThat(advance(world, 4 * (size / speed))).hasSize(1);
     assertThat(world.vx(0)).isCloseTo(0, within(1e-31 * speed));
     assertThat(world.vx(1)).isEqualTo(speed);
@@ -114,8 +110,7 @@ class MagnitudeTest {
     double most = Double.MAX_VALUE;
     assertThat(most - -most).as("the naive relative speed").isInfinite();
 
-    World world =
-        world(Scene.builder().collide(true).circle(0, 0, 1, most, 0).circle(4, 0, 1, -most, 0));
+    World world = world(Scene.builder().circle(0, 0, 1, most, 0).circle(4, 0, 1, -most, 0));
     List<Play.Hit> hits = advance(world, 1e-307);
     assertThat(hits).hasSize(1);
     assertThat(hits.get(0).speed()).as("as documented").isInfinite();

@@ -21,8 +21,7 @@ class MassAndSizeTest {
   @ParameterizedTest
   @ValueSource(doubles = {1e-150, 1e-20, 1e-3, 1, 1e3, 1e20, 1e150})
   void aMassOfAnySizeHitsOneAtRest(double m) {
-    World world =
-        world(Scene.builder().collide(true).circle(0, 0, 1, 1, 0).mass(m).circle(5, 0, 1, 0, 0));
+    World world = world(Scene.builder().circle(0, 0, 1, 1, 0).mass(m).circle(5, 0, 1, 0, 0));
     assertThat(advance(world, 6)).hasSize(1);
     assertThat(world.vx(0)).isCloseTo((m - 1) / (m + 1), within(1e-15));
     double after = 2 * m / (m + 1);
@@ -38,13 +37,7 @@ class MassAndSizeTest {
     assertThat(naive == -1 && mass > 1e300).as("infinity over infinity is no velocity").isFalse();
 
     World world =
-        world(
-            Scene.builder()
-                .collide(true)
-                .circle(0, 0, 1, 1, 0)
-                .mass(m)
-                .circle(5, 0, 1, 0, 0)
-                .mass(mass));
+        world(Scene.builder().circle(0, 0, 1, 1, 0).mass(m).circle(5, 0, 1, 0, 0).mass(mass));
     assertThat(advance(world, 6)).hasSize(1);
     assertThat(world.vx(0)).isEqualTo(-1);
     assertThat(world.vx(1)).isEqualTo(2 * (m / mass));
@@ -64,12 +57,7 @@ class MassAndSizeTest {
     assertThat(Math.abs(textbook - exact)).as("the textbook's error").isGreaterThan(1e-10);
 
     World world =
-        world(
-            Scene.builder()
-                .collide(true)
-                .circle(0, 0, giant, 0, 0)
-                .mass(1e30)
-                .circle(x, y, grain, 0, -1));
+        world(Scene.builder().circle(0, 0, giant, 0, 0).mass(1e30).circle(x, y, grain, 0, -1));
     List<Play.Hit> hits = advance(world, 1);
     assertThat(hits).hasSize(1);
     assertThat(hits.get(0).time()).isEqualTo(exact);

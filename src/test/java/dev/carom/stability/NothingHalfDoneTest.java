@@ -27,7 +27,12 @@ class NothingHalfDoneTest {
   private static final double NAN = Double.NaN;
 
   private static SceneBuilder scene() {
-    return Scene.builder().bounds(0, 0, 9, 9).line(2, 2, 7, 3).peg(5, 6, 1).circle(1, 1, 0.5, 3, 2);
+    return Scene.builder()
+        .collide(false)
+        .bounds(0, 0, 9, 9)
+        .line(2, 2, 7, 3)
+        .peg(5, 6, 1)
+        .circle(1, 1, 0.5, 3, 2);
   }
 
   /** A naive edit sets x before it looks at y. */

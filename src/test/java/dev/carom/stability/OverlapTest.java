@@ -81,7 +81,7 @@ class OverlapTest {
     assertThat(advance(in, 20)).singleElement().matches(hit -> hit.time() == 0);
     assertState(in, 0, 23, 0, 1, 0);
 
-    World pair = world(Scene.builder().collide(true).circle(0, 0, 9, 0, 0).circle(3, 0, 1, -1, 0));
+    World pair = world(Scene.builder().circle(0, 0, 9, 0, 0).circle(3, 0, 1, -1, 0));
     assertThat(advance(pair, 20)).singleElement().matches(hit -> hit.time() == 0);
     assertState(pair, 0, -20, 0, -1, 0);
     assertState(pair, 1, 3, 0, 0, 0);

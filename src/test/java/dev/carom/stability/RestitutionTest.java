@@ -102,7 +102,6 @@ class RestitutionTest {
     World world =
         world(
             Scene.builder()
-                .collide(true)
                 .circle(0, 0, 1, 1, 0)
                 .restitution(2)
                 .circle(4, 0, 1, 0, 0)

@@ -65,7 +65,7 @@ class SimultaneousTest {
 
   /** A circle at rest, and others around it that move towards it. */
   private static SceneBuilder ring(int count, double distance) {
-    SceneBuilder builder = Scene.builder().collide(true).circle(0, 0, 1, 0, 0);
+    SceneBuilder builder = Scene.builder().circle(0, 0, 1, 0, 0);
     double size = count > 6 ? 0.25 : 0.9;
     for (int i = 0; i < count; i++) {
       double x = Math.cos(2 * Math.PI * i / count);

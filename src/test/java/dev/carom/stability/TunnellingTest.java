@@ -44,8 +44,7 @@ class TunnellingTest {
     // Frame ends are all that a discrete test sees: here they have changed sides.
     assertThat(0 + speed).isGreaterThan(10 - speed);
 
-    World world =
-        world(Scene.builder().collide(true).circle(0, 0, 1, speed, 0).circle(10, 0, 1, -speed, 0));
+    World world = world(Scene.builder().circle(0, 0, 1, speed, 0).circle(10, 0, 1, -speed, 0));
     assertThat(advance(world, 8 / speed)).singleElement().matches(hit -> hit.time() == 4 / speed);
     assertThat(world.vx(0)).isEqualTo(-speed);
     assertThat(world.vx(1)).isEqualTo(speed);

@@ -14,7 +14,7 @@ final class PresetScenes {
   private PresetScenes() {}
 
   private static SceneBuilder box() {
-    return Scene.builder().bounds(0, 0, WIDTH, HEIGHT);
+    return Scene.builder().collide(false).bounds(0, 0, WIDTH, HEIGHT);
   }
 
   /** Six closed lanes of thin lines; from the lowest to the highest the speed doubles, to 320. */

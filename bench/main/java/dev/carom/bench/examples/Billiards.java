@@ -44,7 +44,7 @@ public final class Billiards implements Example {
 
   /** Sets up the table: fifteen balls lie as close as they can. */
   public Billiards() {
-    SceneBuilder scene = Scene.builder().bounds(0, 0, LENGTH, WIDTH).restitution(0.8).collide(true);
+    SceneBuilder scene = Scene.builder().bounds(0, 0, LENGTH, WIDTH).restitution(0.8);
     for (int i = 0; i < 6; i++) {
       scene.peg(i % 3 * LENGTH / 2, i < 3 ? 0 : WIDTH, POCKET).response(Response.SENSOR);
     }

@@ -46,7 +46,7 @@ public final class GameLoop implements Example {
 
   /** Sets up a scene. */
   public GameLoop() {
-    SceneBuilder setup = Scene.builder().gravity(0, GRAVITY);
+    SceneBuilder setup = Scene.builder().collide(false).gravity(0, GRAVITY);
     setup.bounds(0, 0, 400, 300).restitution(0.9).line(40, 200, 180, 140).line(220, 90, 370, 150);
     setup.peg(200, 220, 12).circle(60, 270, 10, 40, 0).circle(330, 250, 14, -120, 0);
     setup.circle(205, 285, 8, 0, 0);

@@ -53,7 +53,7 @@ public final class PiCollisions implements Example {
     double mass = 1;
     for (int k = 0; k < LANES; k++) {
       double radius = LIGHT + 4 * k;
-      SceneBuilder setup = Scene.builder().collide(true).line(WALL, -HALF, WALL, HALF);
+      SceneBuilder setup = Scene.builder().line(WALL, -HALF, WALL, HALF);
       setup.circle(60, 0, LIGHT, 0, 0).circle(300, 0, radius, -SPEED, 0).mass(mass);
       Scene scene = setup.build();
       lanes.add(new World(scene));

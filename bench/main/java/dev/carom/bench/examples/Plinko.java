@@ -54,7 +54,8 @@ public final class Plinko implements Example {
   private int dropped;
 
   private static World board() {
-    SceneBuilder scene = Scene.builder().bounds(0, 0, WIDTH, HEIGHT).gravity(0, GRAVITY);
+    SceneBuilder scene =
+        Scene.builder().collide(false).bounds(0, 0, WIDTH, HEIGHT).gravity(0, GRAVITY);
     for (int slot = 0; slot < SLOTS; slot++) { // too short to be touched from the next slot
       double left = slot * SPACING;
       scene.line(left + BALL, 1, left + SPACING - BALL, 1).response(Response.SENSOR);

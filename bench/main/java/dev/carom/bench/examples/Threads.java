@@ -28,7 +28,7 @@ public final class Threads implements Example {
 
   /** Starts all circles from one point. */
   public Threads() {
-    SceneBuilder builder = Scene.builder().bounds(0, 0, 400, 300);
+    SceneBuilder builder = Scene.builder().collide(false).bounds(0, 0, 400, 300);
     builder.line(60, 40, 150, 120).line(260, 60, 330, 150).line(120, 190, 280, 230);
     builder.peg(60, 240, 15).peg(340, 230, 20);
     for (int i = 0; i < CIRCLES; i++) {

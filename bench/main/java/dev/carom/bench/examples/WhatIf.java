@@ -54,8 +54,7 @@ public final class WhatIf implements Example {
 
   /** Plays the run to its end, and goes back. */
   public WhatIf() {
-    SceneBuilder scene =
-        Scene.builder().collide(true).bounds(0, 0, 200, 300).line(100, 120, 100, 180);
+    SceneBuilder scene = Scene.builder().bounds(0, 0, 200, 300).line(100, 120, 100, 180);
     for (int i = 0; i < COLORS.size(); i++) {
       scene.circle(30 + 35 * i, 40 + 50 * i, 10, 2 - i, i % 2 == 0 ? 1.5 : -2);
     }

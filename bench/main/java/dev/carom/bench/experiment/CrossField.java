@@ -19,7 +19,7 @@ final class CrossField {
   private final double width;
   private final double height;
   private final SplitMix random;
-  private final SceneBuilder builder = Scene.builder();
+  private final SceneBuilder builder = Scene.builder().collide(false);
   private final List<Vec2> centers = new ArrayList<>();
   private final List<Line> lines = new ArrayList<>();
 

@@ -54,7 +54,7 @@ public record Gas(int circles, double packing, double spread, boolean heavy, lon
     int columns = (int) StrictMath.ceil(StrictMath.sqrt(circles));
     double side = StrictMath.sqrt(StrictMath.PI * squares / packing);
     double cell = side / columns;
-    SceneBuilder builder = Scene.builder().bounds(0, 0, side, side).collide(true);
+    SceneBuilder builder = Scene.builder().bounds(0, 0, side, side);
     for (int i = 0; i < circles; i++) {
       double free = cell / 2 - radii[i];
       if (free < 0) {

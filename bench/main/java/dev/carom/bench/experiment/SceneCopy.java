@@ -34,7 +34,7 @@ public final class SceneCopy {
 
   /** The bounds alone, if it has any. */
   public static SceneBuilder bounds(Scene scene) {
-    SceneBuilder builder = Scene.builder();
+    SceneBuilder builder = Scene.builder().collide(false);
     scene
         .bounds()
         .ifPresent(

@@ -35,7 +35,7 @@ public record Tiles(int side, boolean lines, long seed) {
    * @throws CannotPlaceException if a cross or a circle finds no place
    */
   public Scene scene() throws CannotPlaceException {
-    SceneBuilder builder = Scene.builder().bounds(0, 0, side * WIDTH, side * HEIGHT);
+    SceneBuilder builder = Scene.builder().collide(false).bounds(0, 0, side * WIDTH, side * HEIGHT);
     for (int row = 0; row < side; row++) {
       for (int column = 0; column < side; column++) {
         Scene tile = Crosses.canonical(seed + (long) row * side + column).scene();

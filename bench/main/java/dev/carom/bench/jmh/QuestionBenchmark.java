@@ -118,8 +118,7 @@ public class QuestionBenchmark {
 
     void draw(double gravity) {
       SplittableRandom random = new SplittableRandom(1);
-      SceneBuilder scene =
-          Scene.builder().bounds(0, 0, 1000, 1000).gravity(0, gravity).collide(true);
+      SceneBuilder scene = Scene.builder().bounds(0, 0, 1000, 1000).gravity(0, gravity);
       for (int i = 0; i < 10_000; i++) {
         double vx = random.nextDouble(-1, 1);
         double vy = random.nextDouble(-1, 1);

@@ -78,8 +78,7 @@ final class Subjects {
                   GAS_RADIUS * b.xmin(),
                   GAS_RADIUS * b.ymin(),
                   GAS_RADIUS * b.xmax(),
-                  GAS_RADIUS * b.ymax())
-              .collide(true);
+                  GAS_RADIUS * b.ymax());
       for (int i = 0; i < small.count(Kind.CIRCLE); i++) {
         Circle c = (Circle) small.shape(Kind.CIRCLE, i);
         Vec2 v = small.velocity(Kind.CIRCLE, i);

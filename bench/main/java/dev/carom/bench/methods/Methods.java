@@ -85,7 +85,7 @@ public final class Methods {
   }
 
   private static Method parts(Scene scene, int k) {
-    return scene.collide() ? new CollidingSubsteps(scene, k) : new Substeps(scene, k);
+    return PlainScene.collides(scene) ? new CollidingSubsteps(scene, k) : new Substeps(scene, k);
   }
 
   /**

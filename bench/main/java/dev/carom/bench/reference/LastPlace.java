@@ -3,6 +3,7 @@ package dev.carom.bench.reference;
 
 import dev.carom.Kind;
 import dev.carom.Scene;
+import dev.carom.bench.methods.PlainScene;
 import java.math.BigDecimal;
 import java.util.ArrayList;
 import java.util.List;
@@ -38,7 +39,7 @@ public record LastPlace(int circle, BigDecimal x, BigDecimal y) {
   public static List<LastPlace> of(Scene scene, int frames, int decimals, Runnable progress) {
     Scope.check(scene, frames);
     int[] all = IntStream.range(0, scene.count(Kind.CIRCLE)).toArray();
-    if (scene.collide()) {
+    if (PlainScene.collides(scene)) {
       return prove(scene, all, frames, decimals);
     }
     List<LastPlace> places = new ArrayList<>();

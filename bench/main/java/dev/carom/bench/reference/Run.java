@@ -2,6 +2,7 @@
 package dev.carom.bench.reference;
 
 import dev.carom.Scene;
+import dev.carom.bench.methods.PlainScene;
 import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.List;
@@ -34,7 +35,7 @@ final class Run {
     this.lookout = lookout;
     this.frames = frames;
     this.bits = bits;
-    collide = scene.collide();
+    collide = PlainScene.collides(scene);
     int count = circles.length;
     int values = count * Tangents.STATE;
     bodies = new Body[count];

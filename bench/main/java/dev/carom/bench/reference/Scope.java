@@ -6,6 +6,7 @@ import dev.carom.Kind;
 import dev.carom.Response;
 import dev.carom.Scene;
 import dev.carom.Vec2;
+import dev.carom.bench.methods.PlainScene;
 
 /**
  * Which scenes have a reference: those in which obstacles rest, and everything bounces, from both
@@ -43,7 +44,7 @@ final class Scope {
   }
 
   private static void allFall(Scene scene) {
-    if (scene.collide()) {
+    if (PlainScene.collides(scene)) {
       throw new IllegalArgumentException(
           "circles collide: with gravity, a reference expects ones that ignore each other");
     }

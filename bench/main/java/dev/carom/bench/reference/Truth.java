@@ -4,6 +4,7 @@ package dev.carom.bench.reference;
 import dev.carom.Kind;
 import dev.carom.Scene;
 import dev.carom.Vec2;
+import dev.carom.bench.methods.PlainScene;
 import java.util.Arrays;
 import java.util.List;
 import java.util.Map;
@@ -45,7 +46,7 @@ public final class Truth implements Reference {
     int count = scene.count(Kind.CIRCLE);
     int[] all = IntStream.range(0, count).toArray();
     int[][] groups =
-        scene.collide()
+        PlainScene.collides(scene)
             ? new int[][] {all}
             : IntStream.of(all).mapToObj(i -> new int[] {i}).toArray(int[][]::new);
     Map<Integer, Lookout> lookouts = new ConcurrentHashMap<>();

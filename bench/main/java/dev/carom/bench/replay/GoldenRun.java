@@ -78,7 +78,7 @@ public enum GoldenRun {
 
   /** A scene in which some things take energy away, and some give it back. */
   private static SceneBuilder mix(Scene from) {
-    SceneBuilder builder = Scene.builder().collide(true);
+    SceneBuilder builder = Scene.builder();
     Bounds b = from.bounds().orElseThrow();
     builder.bounds(b.xmin(), b.ymin(), b.xmax(), b.ymax());
     for (int i = 0; i < from.count(Kind.LINE); i++) {

@@ -45,7 +45,7 @@ public record ReplayPlan(
         name,
         scene,
         others,
-        scene.collide() || !PlainScene.isStraight(scene) || !PlainScene.isAtRest(scene)
+        PlainScene.collides(scene) || !PlainScene.isStraight(scene) || !PlainScene.isAtRest(scene)
             ? List.of(Methods.CAROM)
             : List.of(Methods.CAROM, Methods.POSTER),
         frames,

@@ -4,6 +4,7 @@ package dev.carom.bench.replay;
 import dev.carom.Kind;
 import dev.carom.Scene;
 import dev.carom.bench.methods.Methods;
+import dev.carom.bench.methods.PlainScene;
 import java.util.Locale;
 import java.util.function.Function;
 
@@ -110,7 +111,7 @@ public final class ReplayTable {
 
   private void work() {
     int frames = result.plan().frames();
-    boolean collide = result.plan().scene().collide();
+    boolean collide = PlainScene.collides(result.plan().scene());
     String impacts =
         collide ? "impacts with lines, pegs and circles" : "impacts with lines and pegs";
     row(impacts, f -> whole(f.counts().impacts()));

@@ -121,7 +121,8 @@ public final class Features {
   public Features(long seed, long turns) throws CannotPlaceException {
     this.turns = new Turns(turns);
     Scene canonical = Crosses.canonical(seed).scene();
-    uses.add(new Use("circles", SceneCopy.circles(Scene.builder(), canonical).build()));
+    uses.add(
+        new Use("circles", SceneCopy.circles(Scene.builder().collide(false), canonical).build()));
     uses.add(new Use("walls", part(canonical, 0, Response.BOUNCE)));
     uses.add(new Use("few-lines", part(canonical, FEW_LINES, Response.BOUNCE)));
     uses.add(new Use("lines", canonical));

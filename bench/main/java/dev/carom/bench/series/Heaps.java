@@ -87,7 +87,7 @@ public final class Heaps {
   /** Circles of radius 1 in a box, about as high as wide; they begin in rows above each other. */
   private static Scene heap(int circles, long seed) {
     int columns = (int) Math.ceil(Math.sqrt(circles));
-    SceneBuilder builder = Scene.builder().collide(true).gravity(0, -10);
+    SceneBuilder builder = Scene.builder().gravity(0, -10);
     builder.bounds(0, 0, 2.4 * columns + 0.7, 3.0 * columns + 10);
     Random random = new Random(seed);
     for (int i = 0; i < circles; i++) {
@@ -100,7 +100,7 @@ public final class Heaps {
 
   /** 203 pegs between two walls; the balls fall out below. */
   private static Scene plinko(long seed) {
-    SceneBuilder builder = Scene.builder().collide(true).gravity(0, -10);
+    SceneBuilder builder = Scene.builder().gravity(0, -10);
     builder.line(0, -2, 0, 99).line(40, -2, 40, 99);
     for (int row = 0; row < 14; row++) {
       for (int i = 0; i < 14 + row % 2; i++) {

@@ -43,7 +43,7 @@ final class PairMap {
   private static Cell cell(double ratio, double restitution) {
     // The product of the two is the pair's.
     double each = Math.sqrt(restitution);
-    SceneBuilder setup = Scene.builder().collide(true).line(0, -30 * RADIUS, 0, 30 * RADIUS);
+    SceneBuilder setup = Scene.builder().line(0, -30 * RADIUS, 0, 30 * RADIUS);
     setup.circle(ROOM + 3 * RADIUS, 0, RADIUS, -1, 0).mass(ratio).restitution(each);
     setup.circle(GAP + RADIUS, ASIDE, RADIUS, 0, 0).restitution(each);
     Scene scene = setup.build();

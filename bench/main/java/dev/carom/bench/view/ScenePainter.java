@@ -123,7 +123,7 @@ final class ScenePainter {
   /** One side of a duel: circles that are lost are red. */
   void draw(Graphics2D g, Rectangle2D area, Scene scene, IntFunction<PlayedFrame> side, int frame) {
     PlayedFrame played = side.apply(frame);
-    SceneBuilder finite = Scene.builder();
+    SceneBuilder finite = Scene.builder().collide(false);
     List<Integer> ids = new ArrayList<>();
     for (int i = 0; i < played.circles(); i++) {
       if (Double.isFinite(played.x(i)) && Double.isFinite(played.y(i))) {

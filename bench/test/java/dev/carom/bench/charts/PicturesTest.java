@@ -38,7 +38,8 @@ class PicturesTest {
   }
 
   private static Scene scene() {
-    SceneBuilder builder = Scene.builder().bounds(0, 0, 80, 60).line(30, 20, 50, 40).peg(60, 30, 3);
+    SceneBuilder builder =
+        Scene.builder().collide(false).bounds(0, 0, 80, 60).line(30, 20, 50, 40).peg(60, 30, 3);
     return builder.circle(20, 30, 5, 4, 3).circle(60, 50, 5, -2, 0).build();
   }
 

@@ -112,7 +112,8 @@ class SceneDrawingTest {
 
   @Test
   void nothingIsDrawnOutsideTheArea() {
-    Scene open = Scene.builder().circle(0, 0, 1, 0, 0).circle(1, 0, 1, 0, -1000).build();
+    Scene open =
+        Scene.builder().collide(false).circle(0, 0, 1, 0, 0).circle(1, 0, 1, 0, -1000).build();
     World world = new World(open);
     world.step(1);
     BufferedImage image = draw(SceneDrawing.of(open).withArrowTime(1), Still.of(world));

@@ -66,7 +66,6 @@ class InputFuzzIT {
         Scene.builder()
             .bounds(0, 0, 100, 60)
             .gravity(0, -0.01)
-            .collide(true)
             .peg(50, 20, 5)
             .line(10, 10, 40, 15)
             .filter(new Filter(2, 7))

@@ -190,9 +190,9 @@ class SimulateCommandTest {
 
   @Test
   void circlesThatBeginWhereTheyOverlapAreToldOfTen() throws IOException {
-    Files.writeString(scene, "wall,0,0,9,9\n" + "circle,1,5,2,0,0\n".repeat(10));
+    Files.writeString(scene, "wall,0,0,9,9\ncollide,0\n" + "circle,1,5,2,0,0\n".repeat(10));
     Cli ten = Cli.run("simulate --scene", scene, "--frames", 1);
-    Files.writeString(scene, "wall,0,0,9,9\n" + "circle,1,5,2,0,0\n".repeat(13));
+    Files.writeString(scene, "wall,0,0,9,9\ncollide,0\n" + "circle,1,5,2,0,0\n".repeat(13));
     Cli more = Cli.run("simulate --scene", scene, "--frames", 1);
 
     assertThat(ten.exitCode()).isZero();

@@ -107,7 +107,8 @@ class DuelTest {
 
   @Test
   void countsWhoIsLostOnceAndForEver() {
-    SceneBuilder setup = Scene.builder().line(50, -50, 50, 150).circle(20, 30, 5, 0, 0);
+    SceneBuilder setup =
+        Scene.builder().collide(false).line(50, -50, 50, 150).circle(20, 30, 5, 0, 0);
     Scene thin = setup.circle(20, 70, 1, 64, 0).build();
     try (Duel duel = new Duel(thin, Rival.SUBSTEPS, null)) {
       assertThat(duel.rival(1).lost()).isEqualTo(1);

@@ -76,7 +76,7 @@ class SplitWorldTest {
 
   @Test
   void refusesWhatCannotBeSplit() {
-    Scene colliding = Scene.builder().circle(0, 0, 1, 0, 0).collide(true).build();
+    Scene colliding = Scene.builder().circle(0, 0, 1, 0, 0).circle(9, 0, 1, 0, 0).build();
     assertThatThrownBy(() -> new SplitWorld(colliding, 2))
         .isInstanceOf(IllegalArgumentException.class)
         .hasMessageContaining("the circles of the scene collide");

@@ -20,7 +20,11 @@ import org.junit.jupiter.api.Test;
 class ChecksTest extends FlightChecks {
 
   private static SceneBuilder box() {
-    return Scene.builder().bounds(0, 0, 100, 100).line(50, 20, 50, 80).peg(80, 50, 4);
+    return Scene.builder()
+        .collide(false)
+        .bounds(0, 0, 100, 100)
+        .line(50, 20, 50, 80)
+        .peg(80, 50, 4);
   }
 
   private static Flight flight(double px, double py, double qx, double qy) {
@@ -151,7 +155,8 @@ class ChecksTest extends FlightChecks {
 
   @Test
   void energyFromNowhereIsFoundBesideThingsThatMove() throws FindingException {
-    SceneBuilder scene = Scene.builder().line(0, -10, 0, 10).velocity(1, 0).circle(3, 0, 1, 0, 0);
+    SceneBuilder scene =
+        Scene.builder().collide(false).line(0, -10, 0, 10).velocity(1, 0).circle(3, 0, 1, 0, 0);
     World world = new World(scene.circle(3, 50, 1, 1, 0).build());
     EnergyCheck energy = new EnergyCheck(world, 1);
     energy.begin();
@@ -165,7 +170,7 @@ class ChecksTest extends FlightChecks {
   /** Infinite masses give and take energy, but only where they meet others. */
   @Test
   void energyFromNowhereIsFoundBesideInfiniteMasses() throws FindingException {
-    SceneBuilder scene = Scene.builder().collide(true);
+    SceneBuilder scene = Scene.builder();
     scene.circle(0, 0, 1, 1, 0).mass(Double.POSITIVE_INFINITY).circle(4, 0, 1, 0, 0);
     World world = new World(scene.build());
     EnergyCheck energy = new EnergyCheck(world, 1);
@@ -207,7 +212,7 @@ class ChecksTest extends FlightChecks {
   }
 
   private static SceneBuilder doors() {
-    SceneBuilder builder = Scene.builder().collide(true).circle(0, 0, 1, 0, 0);
+    SceneBuilder builder = Scene.builder().circle(0, 0, 1, 0, 0);
     builder.circle(-5, 0, 1, 1, 0).mass(Double.POSITIVE_INFINITY);
     return builder.circle(5, 0, 1, -1, 0).mass(Double.POSITIVE_INFINITY);
   }
@@ -242,9 +247,7 @@ class ChecksTest extends FlightChecks {
 
   @Test
   void infiniteMassesThatBounceOffEachOtherAreFound() throws FindingException {
-    World world =
-        new World(
-            Scene.builder().collide(true).circle(0, 0, 1, 1, 0).circle(3, 0, 1, 0, 0).build());
+    World world = new World(Scene.builder().circle(0, 0, 1, 1, 0).circle(3, 0, 1, 0, 0).build());
     masses.enter(world);
     world.step(2);
     masses.read(world.impacts());

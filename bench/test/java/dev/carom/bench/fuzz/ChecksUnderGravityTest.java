@@ -138,7 +138,7 @@ class ChecksUnderGravityTest extends FlightChecks {
   /** It goes on sliding in the line after it has met a light circle. */
   @Test
   void aCollisionDoesNotEndADeepSlide() {
-    SceneBuilder scene = Scene.builder().gravity(0, -8).collide(true).line(0, 20, 100, 20);
+    SceneBuilder scene = Scene.builder().gravity(0, -8).line(0, 20, 100, 20);
     scene.circle(20, 23, 5, 4, -1).restitution(0);
     World world = new World(scene.circle(40, 24, 4, 0, 0).restitution(0).mass(1e-9).build());
     DeepHits deep = new DeepHits();

@@ -23,7 +23,12 @@ class SceneMeasuresTest {
 
   /** Three circles of radius 2 and 4 that meet nothing. */
   private static final Scene FREE =
-      Scene.builder().circle(0, 0, 2, 1, 0).circle(0, 50, 2, 3, 0).circle(0, 100, 4, 0, 2).build();
+      Scene.builder()
+          .collide(false)
+          .circle(0, 0, 2, 1, 0)
+          .circle(0, 50, 2, 3, 0)
+          .circle(0, 100, 4, 0, 2)
+          .build();
 
   private static List<Row> rows(Scene scene, Contender contender) {
     Subject subject =
@@ -118,7 +123,8 @@ class SceneMeasuresTest {
 
   @Test
   void whoLeavesTheBoundsHasEscaped() {
-    SceneBuilder setup = Scene.builder().bounds(0, 0, 100, 100).circle(50, 50, 5, 3, 0);
+    SceneBuilder setup =
+        Scene.builder().collide(false).bounds(0, 0, 100, 100).circle(50, 50, 5, 3, 0);
     Scene scene = setup.circle(50, 50, 5, 1, 0).build();
 
     List<Row> rows = rows(scene, Drunkard.astray(0));

@@ -158,7 +158,7 @@ class MethodsTest {
 
   @Test
   void everyCircleAsksEveryLineOfThePublishedAlgorithm() {
-    SceneBuilder setup = Scene.builder().line(50, 0, 50, 100).line(60, 0, 60, 100);
+    SceneBuilder setup = Scene.builder().collide(false).line(50, 0, 50, 100).line(60, 0, 60, 100);
     Scene scene = setup.circle(38, 40, 5, 1, 0).circle(38, 60, 5, 1, 0).build();
 
     assertThat(after(1, Methods.POSTER, scene).pairTests()).isEqualTo(4);
@@ -226,7 +226,7 @@ class MethodsTest {
   @ParameterizedTest
   @MethodSource("all")
   void circlesThatCollideAreForMethodsThatKnowPairs(Contender contender) {
-    SceneBuilder setup = Scene.builder().collide(true).circle(0, 0, 5, 2, 0).mass(3);
+    SceneBuilder setup = Scene.builder().circle(0, 0, 5, 2, 0).mass(3);
     Scene scene = setup.circle(20, 0, 5, -1, 0).restitution(0.5).build();
 
     if (!List.of("carom", "overlap", "substeps").contains(contender.method())) {
@@ -282,7 +282,7 @@ class MethodsTest {
   /** From outside, along the grid, away from it, and past it. */
   @Test
   void aCircleMayComeFromOutsideTheGrid() {
-    SceneBuilder setup = Scene.builder().line(0, 0, 10, 0).line(0, 40, 10, 40);
+    SceneBuilder setup = Scene.builder().collide(false).line(0, 0, 10, 0).line(0, 40, 10, 40);
     setup.circle(5, -1000, 1, 0, 100).circle(-1000, 20, 1, 100, 0).circle(5, -1000, 1, 0, -100);
     Scene scene = setup.circle(2000, -1000, 1, 1, 100).build();
 

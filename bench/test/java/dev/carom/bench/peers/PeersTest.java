@@ -121,7 +121,8 @@ class PeersTest {
   @ParameterizedTest
   @MethodSource("all")
   void circlesIgnoreEachOther(Contender peer) {
-    Scene scene = Scene.builder().circle(100, 50, 10, 3, 0).circle(150, 50, 10, -3, 0).build();
+    Scene scene =
+        Scene.builder().collide(false).circle(100, 50, 10, 3, 0).circle(150, 50, 10, -3, 0).build();
 
     try (Method method = peer.start(scene)) {
       play(method, 20);
@@ -144,7 +145,7 @@ class PeersTest {
   @ParameterizedTest
   @MethodSource("all")
   void circlesThatCollideHaveTheirMasses(Contender peer) {
-    SceneBuilder setup = Scene.builder().collide(true).circle(0, 0, 10, 2, 0).mass(3);
+    SceneBuilder setup = Scene.builder().circle(0, 0, 10, 2, 0).mass(3);
     Scene scene = setup.circle(40, 0, 10, -1, 0).build();
 
     try (Method method = peer.start(scene)) {
@@ -157,7 +158,7 @@ class PeersTest {
   @ParameterizedTest
   @MethodSource("all")
   void noCircleDeflectsAnInfiniteMass(Contender peer) {
-    SceneBuilder setup = Scene.builder().collide(true);
+    SceneBuilder setup = Scene.builder();
     setup.circle(0, 0, 10, 2, 0).mass(Double.POSITIVE_INFINITY).circle(40, 0, 10, -1, 0);
     Scene scene = setup.build();
 
@@ -172,8 +173,13 @@ class PeersTest {
   @MethodSource("all")
   void restitutionsThatTheGreaterOneDoesNotGiveAreRefused(Contender peer) {
     Scene circles =
-        Scene.builder().circle(0, 0, 1, 1, 1).restitution(0.5).circle(9, 9, 1, 1, 1).build();
-    SceneBuilder setup = Scene.builder().collide(true).line(50, 0, 50, 9).restitution(0.5);
+        Scene.builder()
+            .collide(false)
+            .circle(0, 0, 1, 1, 1)
+            .restitution(0.5)
+            .circle(9, 9, 1, 1, 1)
+            .build();
+    SceneBuilder setup = Scene.builder().line(50, 0, 50, 9).restitution(0.5);
     Scene line = setup.circle(0, 0, 1, 1, 1).build();
 
     for (Scene scene : List.of(circles, line)) {

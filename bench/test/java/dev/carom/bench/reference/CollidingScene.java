@@ -27,8 +27,7 @@ final class CollidingScene {
   private CollidingScene() {}
 
   static Scene of(int circles, double restitution, boolean obstacles, long seed) {
-    SceneBuilder builder =
-        Scene.builder().bounds(0, 0, WIDTH, HEIGHT).restitution(restitution).collide(true);
+    SceneBuilder builder = Scene.builder().bounds(0, 0, WIDTH, HEIGHT).restitution(restitution);
     List<Circle> placed = new ArrayList<>();
     if (obstacles) {
       LINES.forEach(l -> builder.line(l.ax(), l.ay(), l.bx(), l.by()).restitution(restitution));

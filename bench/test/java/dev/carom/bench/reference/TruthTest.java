@@ -37,7 +37,8 @@ class TruthTest {
 
   @Test
   void squareBilliardIsTheClosedForm() {
-    SceneBuilder setup = Scene.builder().bounds(0, 0, 10, 10).circle(1.3, 4.1, 0.7, 3.7, -2.3);
+    SceneBuilder setup =
+        Scene.builder().collide(false).bounds(0, 0, 10, 10).circle(1.3, 4.1, 0.7, 3.7, -2.3);
     Scene scene = setup.circle(9.1, 0.4, 0.3, -0.1, 17.9).build();
     Truth truth = truth(scene, 300);
     for (int frame = 0; frame <= 300; frame++) {
@@ -94,7 +95,8 @@ class TruthTest {
 
   @Test
   void overlapIsAnImpactIfItGetsDeeper() {
-    SceneBuilder setup = Scene.builder().peg(0, 0, 1).line(10, 0, 20, 0).circle(1.5, 0, 1, -1, 0);
+    SceneBuilder setup =
+        Scene.builder().collide(false).peg(0, 0, 1).line(10, 0, 20, 0).circle(1.5, 0, 1, -1, 0);
     setup.circle(1.5, 0, 1, 1, 0).circle(15, 0.5, 1, 0, -0.25).circle(15, 0.5, 1, 0, 0.25);
     Scene scene = setup.circle(15, 0, 1, 0, -0.25).build();
     Truth truth = truth(scene, 2);
@@ -109,7 +111,7 @@ class TruthTest {
   /** Dropped from 8 above the floor it is back after 2 sqrt(2 h / g) = 8: g is 1. */
   @Test
   void aBallThatBouncesIsTheClosedForm() {
-    SceneBuilder setup = Scene.builder().bounds(0, 0, 100, 1000).gravity(0, -1);
+    SceneBuilder setup = Scene.builder().collide(false).bounds(0, 0, 100, 1000).gravity(0, -1);
     Scene scene = setup.circle(30, 10, 2, 0.1, 0).circle(60, 10, 2, 0, 0).build();
     Truth truth = truth(scene, 300);
     for (int frame = 0; frame <= 300; frame++) {
@@ -207,7 +209,8 @@ class TruthTest {
     Scene lift = Scene.builder().line(0, 0, 9, 0).velocity(0, 1).circle(5, 9, 1, 0, 0).build();
     assertThatThrownBy(() -> truth(lift, 1))
         .hasMessage("line 0 has the velocity (0.0, 1.0): a reference expects obstacles at rest");
-    Scene gas = Scene.builder().gravity(0, -0.5).collide(true).circle(5, 9, 1, 0, 0).build();
+    Scene gas =
+        Scene.builder().gravity(0, -0.5).circle(5, 9, 1, 0, 0).circle(9, 9, 1, 0, 0).build();
     assertThatThrownBy(() -> truth(gas, 1))
         .hasMessage(
             "circles collide: with gravity, a reference expects ones that ignore each other");

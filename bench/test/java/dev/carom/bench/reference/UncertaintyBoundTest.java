@@ -40,7 +40,8 @@ class UncertaintyBoundTest {
   @ParameterizedTest
   @CsvSource({"0.5, 0", "0.9, 0", "1.1, 0", "0.5, 0.05", "0.9, 0.05", "1.1, 0.05"})
   void holdsAtAnyRestitution(double e, double gravity) {
-    SceneBuilder builder = Scene.builder().bounds(0, 0, 200, 200).gravity(gravity / 4, -gravity);
+    SceneBuilder builder =
+        Scene.builder().collide(false).bounds(0, 0, 200, 200).gravity(gravity / 4, -gravity);
     builder.line(70, 25, 80, 35).restitution(e);
     for (int i = 0; i < 9; i++) {
       builder.peg(47 + 50 * (i % 3) + 3 * (i / 3), 50 + 50 * (i / 3), 9 + i).restitution(e);

@@ -63,8 +63,7 @@ class ReplayResultTest {
   /** The published algorithm knows no collisions: this library replays alone. */
   @Test
   void whereCirclesCollideThereIsNoRatio() {
-    Scene scene =
-        Scene.builder().collide(true).circle(0, 0, 1, 1, 0).circle(5, 0, 1, -1, 0).build();
+    Scene scene = Scene.builder().circle(0, 0, 1, 1, 0).circle(5, 0, 1, -1, 0).build();
     ReplayPlan plan = new ReplayPlan("a pair", scene, List.of(), 3, 1, 0);
     ReplayResult pair = new ReplayResult(plan, Map.of(Methods.CAROM, samples(2_000)), MACHINE);
 

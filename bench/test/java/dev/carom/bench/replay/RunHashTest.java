@@ -11,7 +11,7 @@ import org.junit.jupiter.api.Test;
 class RunHashTest {
 
   private static SceneBuilder box() {
-    return Scene.builder().bounds(0, 0, 100, 100).line(20, 50, 80, 50);
+    return Scene.builder().collide(false).bounds(0, 0, 100, 100).line(20, 50, 80, 50);
   }
 
   private static String hash(Scene scene, int frames) {

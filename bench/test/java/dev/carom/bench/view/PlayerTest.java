@@ -18,7 +18,12 @@ class PlayerTest {
 
   /** Hits the right wall at 5, the left one at 15, and so on. */
   private static final Scene TO_AND_FRO =
-      Scene.builder().bounds(0, 0, 100, 60).line(20, 10, 60, 10).circle(50, 30, 10, 8, 0).build();
+      Scene.builder()
+          .collide(false)
+          .bounds(0, 0, 100, 60)
+          .line(20, 10, 60, 10)
+          .circle(50, 30, 10, 8, 0)
+          .build();
 
   private final Player player = new Player(TO_AND_FRO, 1);
 

@@ -36,6 +36,7 @@ class ViewPanelTest {
 
   private static final Scene SCENE =
       Scene.builder()
+          .collide(false)
           .bounds(0, 0, 100, 60)
           .line(20, 10, 60, 10)
           .restitution(0.5)

@@ -52,6 +52,9 @@ public final class NeighborGrid {
   /** The cell of circle i on a coarser level k, as whole numbers, at [(k * count + i) * 2]. */
   private final double[] coarse;
 
+  /** The only circle that these cells are for; NONE if there are several. */
+  private final int only;
+
   private final int count;
   private final CircleTable circles;
   private final double[] state;
@@ -75,9 +78,11 @@ public final class NeighborGrid {
     state = circles.state;
     codes = circles.codes;
     count = circles.capacity();
+    only = ids.length == 1 ? ids[0] : Index.NONE;
     BoundingBox extent = BoundingBox.of(circles, ids, walls, now);
-    originX = extent.left();
-    originY = extent.bottom();
+    double before = only == Index.NONE ? 0 : SizeClasses.ENDLESS / 2;
+    originX = extent.left() - before;
+    originY = extent.bottom() - before;
     sizes = new SizeClasses(circles, ids, extent, diameters);
     levels = sizes.widths.length;
     cells = levels == 0 ? null : cells(extent, sizes.widths[0]);
@@ -146,9 +151,12 @@ public final class NeighborGrid {
   /**
    * Lists a circle where it is at a given time.
    *
-   * @return false if no level was made for its radius
+   * @return false if no level was made for its radius, or the cells for one other circle
    */
   public boolean enter(int i, double now) {
+    if (only != Index.NONE && i != only) {
+      return false;
+    }
     int level = sizes.of(circles.radius(i));
     if (level < 0) {
       return false;

@@ -36,6 +36,9 @@ public final class SizeClasses {
    */
   private static final double SPARSE = 3;
 
+  /** The width of the cells of a circle that is alone, which begins in the middle of one. */
+  static final double ENDLESS = 0x1p500;
+
   /** The number of circles per cell that is no crowd yet: measured. */
   private static final double CROWD = 2;
 
@@ -64,6 +67,9 @@ public final class SizeClasses {
   private final double diameters;
   private final boolean falls;
 
+  /** Whether there is one circle only. */
+  private final boolean alone;
+
   /** The largest radius of each class and the width of its cells, the smallest class first. */
   public final double[] radii;
 
@@ -84,6 +90,7 @@ public final class SizeClasses {
     slack = ROUNDING * extent.farthest();
     this.diameters = diameters;
     falls = circles.allowsGravity();
+    alone = ids.length == 1;
     for (int i : ids) {
       double radius = circles.radius(i);
       octaves.computeIfAbsent(Math.getExponent(radius), e -> new Octave()).add(radius);
@@ -121,6 +128,9 @@ public final class SizeClasses {
   }
 
   private double width(Octave octave) {
+    if (alone) {
+      return ENDLESS;
+    }
     double diameter = 2 * octave.largest * (falls ? HEAP_SLACK : SLACK) * diameters;
     double distance = Math.max(Math.sqrt(area / octave.listed), side / octave.listed);
     double width = distance > SPARSE * diameter ? distance : diameter;

@@ -20,8 +20,8 @@ final class SceneWriter {
   }
 
   void write(SceneData scene) throws IOException {
-    if (scene.collide) {
-      out.append("collide,1\n");
+    if (!scene.collide) {
+      out.append("collide,0\n");
     }
     if (scene.hasGravity()) {
       begin("gravity");

@@ -21,7 +21,7 @@ public final class SceneDataBuilder {
   final CircleRegistry registry;
 
   ObstacleTable obstacles;
-  public boolean collide;
+  public boolean collide = true;
   double gx;
   double gy;
 

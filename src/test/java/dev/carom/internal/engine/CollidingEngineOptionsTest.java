@@ -66,7 +66,7 @@ class CollidingEngineOptionsTest {
   @ValueSource(doubles = {1e6, 1e9, 1e12})
   void thePlainWayGivesTheSameFarFromTheOrigin(double far) {
     for (int seed = 0; seed < SEEDS; seed++) {
-      SceneBuilder builder = Scene.builder().bounds(far, -far, far + 400, 300 - far).collide(true);
+      SceneBuilder builder = Scene.builder().bounds(far, -far, far + 400, 300 - far);
       Random random = new Random(seed);
       for (int i = 0; i < 30; i++) {
         builder.circle(

@@ -34,7 +34,7 @@ class CollidingEngineTest {
    */
   @Test
   void whoMeetsAnotherAtTheTimeOfItsOwnStartHasMoved() {
-    SceneBuilder row = Scene.builder().bounds(0, 0, 12, 10).collide(true);
+    SceneBuilder row = Scene.builder().bounds(0, 0, 12, 10);
     row.circle(2, 5, 1, 1, 0).circle(10, 5, 1, 1, 0).circle(6, 5, 1, -1, 0);
     World world = new World(row.build());
     for (int k = 0; k < MANY; k++) {
@@ -57,7 +57,7 @@ class CollidingEngineTest {
    */
   @Test
   void whoWaitedForWhatHitsItAtOnceHasNotStoodStill() {
-    SceneBuilder cradle = Scene.builder().bounds(0, 0, 100, 10).collide(true);
+    SceneBuilder cradle = Scene.builder().bounds(0, 0, 100, 10);
     cradle.circle(3, 5, 1, 1, 0).circle(7, 5, 1, 0, 0).circle(11, 5, 3, 0, 0);
     World world = new World(cradle.mass(Double.POSITIVE_INFINITY).build());
     for (int k = 0; k < MANY; k++) {
@@ -73,7 +73,7 @@ class CollidingEngineTest {
   /** It stays in its place, but what hits it again and again comes from far away. */
   @Test
   void whoRestsIsNotStuckHoweverOftenItIsHit() {
-    SceneBuilder scene = Scene.builder().bounds(0, 0, 100, 20).collide(true);
+    SceneBuilder scene = Scene.builder().bounds(0, 0, 100, 20);
     scene.circle(50, 10, 5, 0, 0).mass(Double.POSITIVE_INFINITY).circle(20, 10, 1, -43, 0);
     World world = new World(scene.build());
     int impacts = 0;
@@ -92,7 +92,7 @@ class CollidingEngineTest {
    */
   @Test
   void whatASensorReportedIsNewToAFlightThatBeginsBeforeIt() {
-    SceneBuilder scene = Scene.builder().collide(true).circle(2, 0, 1, 0, 0);
+    SceneBuilder scene = Scene.builder().circle(2, 0, 1, 0, 0);
     World world = new World(scene.response(Response.SENSOR).circle(-THIRD, 0, 1, 0, 0).build());
     world.advanceTo(1);
     world.setVelocity(1, 1, 0);
@@ -120,7 +120,7 @@ class CollidingEngineTest {
    */
   @Test
   void aNewFlightIsNewToWhomReportedItsOldOneJustThen() {
-    SceneBuilder scene = Scene.builder().collide(true).circle(-8, 0, 1, 0, 0);
+    SceneBuilder scene = Scene.builder().circle(-8, 0, 1, 0, 0);
     World world = new World(scene.circle(2, 0, 1, 0, 0).response(Response.SENSOR).build());
     world.advanceTo(0x1p40);
     world.setVelocity(0, 0x1p17, 0);
@@ -142,7 +142,7 @@ class CollidingEngineTest {
 
   @Test
   void aSensorReportsAgainWhatIsGoneBackTo() {
-    SceneBuilder scene = Scene.builder().collide(true).circle(-8, 0, 1, 1, 0);
+    SceneBuilder scene = Scene.builder().circle(-8, 0, 1, 1, 0);
     World world = new World(scene.circle(2, 0, 1, 0, 0).response(Response.SENSOR).build());
     Snapshot before = world.snapshot();
     for (int k = 0; k < 2; k++) {
@@ -173,7 +173,7 @@ class CollidingEngineTest {
 
   /** The kinds of the obstacles that are hit if the circle of that id moves to the line. */
   private static List<Kind> hits(int first, double speedOfTheSecond) {
-    SceneBuilder builder = Scene.builder().collide(true).line(-1, -9, -1, 9);
+    SceneBuilder builder = Scene.builder().line(-1, -9, -1, 9);
     for (int i = 0; i < 2; i++) {
       boolean second = i != first;
       builder.circle(second ? 2 : 0, 0, 1, second ? -speedOfTheSecond : -FAINT / 2, 1);
@@ -196,7 +196,7 @@ class CollidingEngineTest {
   @Test
   void whoFliesOutOfTheRangeOfDoublesCanBeBroughtBack() {
     double unit = 1e306;
-    SceneBuilder scene = Scene.builder().collide(true).circle(0, 0, unit, 100 * unit, 0);
+    SceneBuilder scene = Scene.builder().circle(0, 0, unit, 100 * unit, 0);
     World world = new World(scene.circle(0, 9 * unit, unit, 0, 0).build());
     world.advanceTo(2);
     assertThat(world.x(0)).isInfinite();
@@ -215,7 +215,7 @@ class CollidingEngineTest {
   @ParameterizedTest
   @ValueSource(booleans = {false, true})
   void circlesMeetNearTheEndOfTheRangeOfDoubles(boolean upright) {
-    SceneBuilder scene = Scene.builder().collide(true);
+    SceneBuilder scene = Scene.builder();
     for (double place : new double[] {1.5e308, 1.6e308}) {
       double v = place < 1.6e308 ? 1e304 : 0;
       scene.circle(

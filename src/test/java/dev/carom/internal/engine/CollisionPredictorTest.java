@@ -29,7 +29,7 @@ class CollisionPredictorTest {
 
   /** x, y, r, vx, vy of each of some circles that start now. */
   private static ImpactLog step(double dt, double[]... circles) {
-    SceneBuilder scene = Scene.builder().collide(true);
+    SceneBuilder scene = Scene.builder();
     for (double[] c : circles) {
       scene.circle(c[0], c[1], c[2], c[3], c[4]);
     }
@@ -134,7 +134,7 @@ class CollisionPredictorTest {
     double[] d = met(a, time, 0, 0);
     double before = time * random.nextDouble() / 16;
     double[] e = {d[0] - a[3] * before, d[1] - a[4] * before, 1, 0, 0};
-    SceneBuilder scene = Scene.builder().collide(true);
+    SceneBuilder scene = Scene.builder();
     for (double[] n : List.of(a, b, c, e, d)) {
       scene.circle(n[0], n[1], n[2], n[3], n[4]);
     }
@@ -220,7 +220,7 @@ class CollisionPredictorTest {
       double unit = Math.scalb(Math.ulp(start), random.nextInt(12));
       double[] a = {0, 0, 1, 1 + random.nextDouble(), 1 + random.nextDouble()};
       double time = 4 + 6 * random.nextDouble();
-      SceneBuilder scene = Scene.builder().collide(true).circle(0, 0, 1, 0, 0);
+      SceneBuilder scene = Scene.builder().circle(0, 0, 1, 0, 0);
       for (int k = 0; k < 2; k++) {
         double[] b = met(a, time + k * (random.nextInt(9) - 4) * Math.ulp(start) / unit, 0, 0);
         scene.circle(b[0], b[1], 1, 0, 0);

@@ -90,7 +90,8 @@ class DuePrefetcherTest {
   }
 
   private Scene scene(int count) {
-    SceneBuilder builder = Scene.builder().bounds(0, 0, SIDE, SIDE).peg(SIDE / 2, SIDE / 2, 3);
+    SceneBuilder builder =
+        Scene.builder().collide(false).bounds(0, 0, SIDE, SIDE).peg(SIDE / 2, SIDE / 2, 3);
     for (int i = 0; i < 100; i++) {
       double x = place();
       double y = place();
@@ -107,7 +108,8 @@ class DuePrefetcherTest {
   }
 
   private static Scene part(Scene scene, int from, int to) {
-    SceneBuilder builder = Scene.builder().bounds(0, 0, SIDE, SIDE).peg(SIDE / 2, SIDE / 2, 3);
+    SceneBuilder builder =
+        Scene.builder().collide(false).bounds(0, 0, SIDE, SIDE).peg(SIDE / 2, SIDE / 2, 3);
     for (int i = 0; i < scene.count(Kind.LINE); i++) {
       Line line = (Line) scene.shape(Kind.LINE, i);
       builder.line(line.ax(), line.ay(), line.bx(), line.by());

@@ -43,8 +43,7 @@ class FarCirclesTest {
   @ValueSource(doubles = {1e3, 1e8, 1e9, 1e12, -1e9})
   void whoStartsFarOutsideOfTheBoundsFliesOn(double far) {
     for (int mask : new int[] {-1, 2}) {
-      SceneBuilder scene =
-          Scene.builder().bounds(0, 0, 10, 10).filter(new Filter(2, 2)).collide(true);
+      SceneBuilder scene = Scene.builder().bounds(0, 0, 10, 10).filter(new Filter(2, 2));
       scene.circle(5, 5, 0.5, 1, 1).circle(far, 5, 0.5, 1, 0).filter(new Filter(1, mask));
       World world = new World(scene.build());
       assertArrivesAtOnce(world, 1);
@@ -56,7 +55,7 @@ class FarCirclesTest {
   /** The same by an edit, from a snapshot, and as a new one. */
   @Test
   void whoIsPutFarOutsideFliesOn() {
-    SceneBuilder scene = Scene.builder().bounds(0, 0, 10, 10).collide(true);
+    SceneBuilder scene = Scene.builder().bounds(0, 0, 10, 10);
     World world = new World(scene.circle(5, 5, 0.5, 1, 1).circle(2, 2, 0.5, 1, 0).build());
     world.setPosition(1, 1e9, 5);
     world.addCircle(1e9, -1e9, 0.5, 3, 4, Traits.DEFAULT);
@@ -75,8 +74,7 @@ class FarCirclesTest {
   /** A ball that is parked high above, under gravity, in the world and in one restored from it. */
   @Test
   void whoIsParkedFarAwayDoesNotKeepARestoredWorldFromGoingOn() {
-    SceneBuilder scene =
-        Scene.builder().bounds(0, 0, 10, 10).filter(new Filter(2, 2)).collide(true);
+    SceneBuilder scene = Scene.builder().bounds(0, 0, 10, 10).filter(new Filter(2, 2));
     scene.gravity(0, -1).circle(5, 5, 0.5, 1, 0).circle(3, 5, 0.5, 0, 0).filter(new Filter(1, 1));
     World world = new World(scene.build());
     world.setPosition(1, 1, 1e9);
@@ -91,11 +89,11 @@ class FarCirclesTest {
 
   @Test
   void twoThatFlyApartAndOneAloneArriveAtOnce() {
-    SceneBuilder two = Scene.builder().collide(true).circle(-1, 0, 0.5, -1, 0);
+    SceneBuilder two = Scene.builder().circle(-1, 0, 0.5, -1, 0);
     World world = new World(two.circle(1, 0, 0.5, 1, 0.1).build());
     assertArrivesAtOnce(world, 1e7);
     assertArrivesAtOnce(world, 1e9);
-    World alone = new World(Scene.builder().collide(true).circle(1, 0, 0.5, 1, 0.1).build());
+    World alone = new World(Scene.builder().circle(1, 0, 0.5, 1, 0.1).build());
     assertArrivesAtOnce(alone, 1e9);
   }
 
@@ -103,7 +101,7 @@ class FarCirclesTest {
   @ParameterizedTest
   @ValueSource(doubles = {0, 0.25, 1})
   void twoThatComeFromAfarMeetAtOnce(double slope) {
-    SceneBuilder scene = Scene.builder().collide(true).circle(-1e9, -1e9 * slope, 0.5, 1, slope);
+    SceneBuilder scene = Scene.builder().circle(-1e9, -1e9 * slope, 0.5, 1, slope);
     World world = new World(scene.circle(1e9, 1e9 * slope, 0.5, -1, -slope).build());
     assertArrivesAtOnce(world, 1e9);
     assertThat(world.impacts().size()).isOne();
@@ -115,7 +113,7 @@ class FarCirclesTest {
   @Test
   void whoFellOffTheScreenCostsNextToNothing() {
     Random random = new Random(1);
-    SceneBuilder scene = Scene.builder().collide(true).gravity(0, -1000);
+    SceneBuilder scene = Scene.builder().gravity(0, -1000);
     for (int i = 0; i < 100; i++) {
       double vx = 100 * random.nextGaussian();
       scene.circle(random.nextInt(800), random.nextInt(600), 10, vx, 100 * random.nextGaussian());

@@ -55,7 +55,7 @@ class NeighborGridTest {
 
   /** Circles of one radius: they need one level only. */
   private static Scene alike(Random random, int count) {
-    SceneBuilder builder = Scene.builder().bounds(0, 0, 30, 30).collide(true);
+    SceneBuilder builder = Scene.builder().bounds(0, 0, 30, 30);
     for (int i = 0; i < count; i++) {
       builder.circle(30 * random.nextDouble(), 30 * random.nextDouble(), 1, 0, 0);
     }

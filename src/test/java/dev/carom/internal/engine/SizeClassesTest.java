@@ -19,7 +19,7 @@ class SizeClassesTest {
   private static final double SLACK = 1 + 0x1p-20;
 
   private static SizeClasses classes(BoundingBox extent, double... radii) {
-    SceneBuilder builder = Scene.builder();
+    SceneBuilder builder = Scene.builder().collide(false);
     for (double radius : radii) {
       builder.circle(0, 0, radius, 0, 0);
     }

@@ -23,7 +23,7 @@ class StaticSceneTest {
 
   /** A room with many short lines along its ceiling. */
   private static SceneBuilder room() {
-    SceneBuilder scene = Scene.builder().bounds(0, 0, 100, 100);
+    SceneBuilder scene = Scene.builder().collide(false).bounds(0, 0, 100, 100);
     for (int i = 0; i < MANY; i++) {
       scene.line(5 * i, 95, 5 * i + 3, 95);
     }
@@ -46,12 +46,13 @@ class StaticSceneTest {
     }
     // 80 by 40, grown by the radius on each side, and a ring of cells around: 11 by 7.
     assertThat(Internals.world(scene.build(), EngineOptions.cells(10)).toString())
-        .endsWith("; circles that ignore each other, 9 lines and pegs in 1 grid of 77 cells]");
+        .endsWith("; circles that collide, 9 lines and pegs in 1 grid of 77 cells]");
   }
 
   @Test
   void whatStandsOutAtTheRimIsHit() {
-    SceneBuilder scene = Scene.builder().circle(-50, 9.5, 1, 1, 0).circle(45, 50, 1, 0, -1);
+    SceneBuilder scene =
+        Scene.builder().collide(false).circle(-50, 9.5, 1, 1, 0).circle(45, 50, 1, 0, -1);
     for (int i = 0; i < MANY; i++) {
       scene.peg(30 * i, 0, 10);
     }

@@ -157,9 +157,9 @@ class SceneFileTest {
   @ParameterizedTest
   @ValueSource(
       strings = {
-        "line,1,2,3,4,restitution=0.5\ncollide,0",
-        "line,1,2,3,4,restitution=0.5\r\ncollide,0\r\n",
-        "line,1,2,3,4,restitution=0.5\rcollide,0",
+        "line,1,2,3,4,restitution=0.5\ncollide,1",
+        "line,1,2,3,4,restitution=0.5\r\ncollide,1\r\n",
+        "line,1,2,3,4,restitution=0.5\rcollide,1",
         "\ufeffline,1,2,3,4,restitution=0.5",
         "\ufeff# comment\n\nline,1,2,3,4,restitution=0.5\n\n",
         "  \t\n # comment, with = and \u00e9\nline,1,2,3,4,restitution=0.5 # trailing, too\n#",
@@ -180,12 +180,10 @@ class SceneFileTest {
 
   @Test
   void gravityReadsBackWhereverItsRowStands() throws IOException {
-    Scene scene =
-        Scene.builder().gravity(0.1, -1.0 / 3).collide(true).circle(1, 2, 3, 4, 5).build();
+    Scene scene = Scene.builder().gravity(0.1, -1.0 / 3).circle(1, 2, 3, 4, 5).build();
     assertThat(written(scene))
         .isEqualTo(
             """
-            collide,1
             gravity,0.1,-0.3333333333333333
             circle,1.0,2.0,3.0,4.0,5.0
             """);

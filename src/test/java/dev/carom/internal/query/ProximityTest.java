@@ -89,7 +89,8 @@ class ProximityTest {
 
   @Test
   void circlesAreNearWhereTheyAre() {
-    SceneBuilder scene = Scene.builder().circle(0, 0, 1, 1e308, 0).circle(10, 0, 1, 0, 0);
+    SceneBuilder scene =
+        Scene.builder().collide(false).circle(0, 0, 1, 1e308, 0).circle(10, 0, 1, 0, 0);
     World world = new World(scene.circle(-10, 0, 1, 0, 0).circle(0, 3, 1, 0, 1e308).build());
     Bounds all = new Bounds(-99, -99, 99, 99);
     assertThat(world.overlapping(Kind.CIRCLE, all)).containsExactly(0, 1, 2, 3);

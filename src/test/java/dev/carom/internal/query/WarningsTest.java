@@ -33,7 +33,7 @@ import org.junit.jupiter.params.provider.ValueSource;
 class WarningsTest {
 
   private static SceneBuilder box() {
-    return Scene.builder().bounds(0, 0, 100, 80);
+    return Scene.builder().collide(false).bounds(0, 0, 100, 80);
   }
 
   private static List<String> of(SceneBuilder scene) {
@@ -261,7 +261,7 @@ class WarningsTest {
 
   @Test
   void noMoreThanTenThousandAreListed() {
-    SceneBuilder scene = Scene.builder().collide(true);
+    SceneBuilder scene = Scene.builder();
     for (int i = 0; i < 20_000; i++) {
       scene.circle(0, 0, 1, 0, 0);
     }
@@ -276,7 +276,7 @@ class WarningsTest {
   @CsvSource({"1, 1", "1000, 1"})
   void aLargeSceneTakesSeconds(double length, int slope) {
     Random random = new Random(7);
-    SceneBuilder scene = Scene.builder().collide(true).bounds(0, 0, 1000, 1000);
+    SceneBuilder scene = Scene.builder().bounds(0, 0, 1000, 1000);
     int side = 320;
     for (int i = 0; i < 100_000; i++) {
       double x = 2 + 3 * (i % side);

@@ -38,7 +38,7 @@ class PairResponseTest {
   private final MovingCircle b = new MovingCircle();
 
   private static PairResponse masses(double... masses) {
-    SceneBuilder scene = Scene.builder();
+    SceneBuilder scene = Scene.builder().collide(false);
     for (double mass : masses) {
       scene.circle(0, 0, 1, 0, 0).mass(mass);
     }
@@ -321,7 +321,12 @@ class PairResponseTest {
   @Test
   void whoHaltsGoesOnAlongsideWhatItDoesNotApproach() {
     Scene scene =
-        Scene.builder().circle(0, 0, 1, 0, 0).response(Response.HALT).circle(2, 0, 1, 0, 0).build();
+        Scene.builder()
+            .collide(false)
+            .circle(0, 0, 1, 0, 0)
+            .response(Response.HALT)
+            .circle(2, 0, 1, 0, 0)
+            .build();
     collide(pairs(scene), 0, 3, 1, 3, 0);
     assertThat(a.vx).isEqualTo(3);
     assertThat(b.vx).isEqualTo(3);

@@ -20,7 +20,7 @@ class ShockTest {
   private static final double INFINITE = Double.POSITIVE_INFINITY;
 
   private static SceneBuilder scene() {
-    return Scene.builder().collide(true);
+    return Scene.builder();
   }
 
   private static World play(SceneBuilder scene) {

@@ -33,7 +33,7 @@ class BoundingBoxTest {
   /** Half of the circles make the bounds the extent, on each axis; their edges belong to them. */
   @Test
   void boundsThatFewCirclesAreBetweenAreNotTheExtent() {
-    SceneBuilder setup = Scene.builder().bounds(1, 2, 5, 9);
+    SceneBuilder setup = Scene.builder().collide(false).bounds(1, 2, 5, 9);
     setup.circle(1, 2, 1, 0, 0).circle(5, 9, 1, 0, 0).circle(0, 1, 1, 0, 0);
     assertThat(of(setup.circle(6, 10, 1, 0, 0).build(), 0)).isEqualTo(new BoundingBox(1, 2, 5, 9));
     setup.circle(3, 11, 1, 0, 0).circle(5, 12, 1, 0, 0).circle(4, 13, 1, 0, 0);
@@ -59,7 +59,7 @@ class BoundingBoxTest {
   }
 
   private static BoundingBox extent(double[] places) {
-    SceneBuilder setup = Scene.builder();
+    SceneBuilder setup = Scene.builder().collide(false);
     for (int i = 0; i < places.length; i++) {
       setup.circle(places[i], places[(i + 3) % places.length], 1e-3, 0, 0);
     }
@@ -77,7 +77,8 @@ class BoundingBoxTest {
 
   @Test
   void withoutBoundsTheCentresAreAsTheyAreNow() {
-    Scene scene = Scene.builder().circle(3, 4, 1, -1, 2).circle(-1, 7, 1, 0, 0).build();
+    Scene scene =
+        Scene.builder().collide(false).circle(3, 4, 1, -1, 2).circle(-1, 7, 1, 0, 0).build();
     assertThat(of(scene, 0)).isEqualTo(new BoundingBox(-1, 4, 3, 7));
     assertThat(of(scene, 5)).isEqualTo(new BoundingBox(-2, 7, -1, 14));
   }
@@ -91,7 +92,8 @@ class BoundingBoxTest {
 
   @Test
   void whatIsGoneOrWouldOverflowIsLeftOut() {
-    SceneBuilder setup = Scene.builder().circle(3, 4, 1, 0, 0).circle(0, 90, 1, 0, 0);
+    SceneBuilder setup =
+        Scene.builder().collide(false).circle(3, 4, 1, 0, 0).circle(0, 90, 1, 0, 0);
     Scene scene = setup.circle(9, 9, 1, 1e308, 1e308).circle(9, 9, 1, -1e150, 1e150).build();
     CircleRegistry registry = new CircleRegistry(Internals.data(scene), 1);
     registry.remove(1);

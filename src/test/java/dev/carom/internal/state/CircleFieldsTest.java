@@ -156,6 +156,7 @@ class CircleFieldsTest {
   void theTableReadsTheFilterFromTheRegistry() {
     Scene scene =
         Scene.builder()
+            .collide(false)
             .circle(0, 0, 1, 0, 0)
             .circle(9, 0, 1, 0, 0)
             .filter(new Filter(6, 5))

@@ -28,7 +28,7 @@ class CircleRegistryTest {
 
   /** Circles 0 to 9, of masses 1 to 10, of which those are gone whose ids are given. */
   private static CircleRegistry without(int... gone) {
-    SceneBuilder scene = Scene.builder();
+    SceneBuilder scene = Scene.builder().collide(false);
     for (int i = 0; i < 10; i++) {
       scene.circle(9 * i, 0, 1, 0, 0).mass(i + 1);
     }

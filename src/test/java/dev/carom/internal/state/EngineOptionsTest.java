@@ -88,7 +88,7 @@ class EngineOptionsTest {
   @ValueSource(ints = {-1000, -480, 480, 520, 990})
   void inAnyUnitOfTime(int exponent) {
     Scene scene = RandomScenes.mixed(new Random(7)).build();
-    SceneBuilder builder = Scene.builder().bounds(0, 0, 800, 600);
+    SceneBuilder builder = Scene.builder().collide(false).bounds(0, 0, 800, 600);
     for (int i = 0; i < scene.count(Kind.LINE); i++) {
       Line l = (Line) scene.shape(Kind.LINE, i);
       builder.line(l.ax(), l.ay(), l.bx(), l.by());
