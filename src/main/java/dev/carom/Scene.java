@@ -49,7 +49,8 @@ import java.util.Optional;
  *   <li>Things of one kind are numbered from 0 in the order of their rows. The kinds may be mixed.
  *   <li>A number is decimal or a hex float ({@code 0x1.8p-3}), read to the nearest double. NaN,
  *       infinities and numbers beyond the range of a double are refused.
- *   <li>{@code wall} is the {@linkplain Bounds bounds}. There is at most one such row.
+ *   <li>{@code wall} is the {@linkplain Bounds bounds}. There is at most one such row. {@code -inf}
+ *       and {@code inf} leave a side open.
  *   <li>The mass of a circle is 1 if it is left out. {@code inf} or {@code Infinity} is an infinite
  *       mass. See {@link SceneBuilder#mass}.
  *   <li>With {@code collide,0} circles ignore each other. With {@code collide,1}, or without such a
@@ -176,7 +177,7 @@ public final class Scene {
    */
   public int count(Kind kind) {
     int number = Check.notNull("kind", kind).ordinal();
-    return kind == Kind.CIRCLE ? data.circleCount() : data.obstacles.end(number);
+    return kind == Kind.CIRCLE ? data.circleCount() : data.obstacles.count(number);
   }
 
   /**
@@ -339,7 +340,11 @@ public final class Scene {
   /** Returns the code of a thing that exists; any other one is refused. */
   private int code(Kind kind, int i) {
     int count = count(kind);
-    if (i < 0 || i >= count) {
+    boolean isThere =
+        kind == Kind.WALL
+            ? data.obstacles.codes(0).anyMatch(wall -> wall == i)
+            : i >= 0 && i < count;
+    if (!isThere) {
       String others = count == 0 ? "none of them" : count + " of them, from 0";
       throw new IndexOutOfBoundsException(
           kind.nameOf(i) + " does not exist: the scene has " + others);

@@ -33,12 +33,12 @@ public final class SceneBuilder {
   }
 
   /**
-   * Sets the rectangle that keeps circles inside.
+   * Sets the rectangle that keeps circles inside; an infinite coordinate leaves that side open.
    *
-   * @param xmin the x coordinate of the left wall, finite
-   * @param ymin the y coordinate of the bottom wall, finite
-   * @param xmax the x coordinate of the right wall, finite, greater than xmin
-   * @param ymax the y coordinate of the top wall, finite, greater than ymin
+   * @param xmin the x coordinate of the left wall, or -infinity
+   * @param ymin the y coordinate of the bottom wall, or -infinity
+   * @param xmax the x coordinate of the right wall, or +infinity; greater than xmin
+   * @param ymax the y coordinate of the top wall, or +infinity; greater than ymin
    * @return this builder
    * @throws IllegalArgumentException if a coordinate is refused by {@link Bounds}
    * @throws IllegalStateException if the scene has bounds already

@@ -277,7 +277,7 @@ public record SweptCircle(
    * @throws IllegalArgumentException if a number is outside its range
    */
   public double timeToBounds(double xmin, double ymin, double xmax, double ymax, double maxTime) {
-    if (!(0 * (xmin + ymin + xmax + ymax) == 0 && xmax > xmin && ymax > ymin && maxTime >= 0)) {
+    if (!(xmax > xmin && ymax > ymin && maxTime >= 0)) {
       Check.bounds(xmin, ymin, xmax, ymax);
       Check.duration("maxTime", maxTime);
     }

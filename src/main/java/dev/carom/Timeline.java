@@ -5,7 +5,6 @@ import dev.carom.internal.state.Codes;
 import dev.carom.internal.state.FlightHistory;
 import dev.carom.internal.state.TimelineRecorder;
 import dev.carom.internal.util.Check;
-import dev.carom.internal.util.KindNumber;
 
 /**
  * A {@code Timeline} holds the recorded past of a world. It tells where each circle was, and how it
@@ -69,7 +68,7 @@ public final class Timeline {
   public boolean contains(Kind kind, int id, double t) {
     return switch (Check.notNull("kind", kind)) {
       case CIRCLE -> recorder.track(id, t) != null;
-      case WALL -> isKnown(t) && isId(KindNumber.WALL, id) && recorder.walls() != null;
+      case WALL -> isKnown(t) && world.contains(kind, id);
       case LINE, PEG -> isKnown(t) && row(kind, id, t) != null;
     };
   }

@@ -49,7 +49,9 @@ class SceneBuilderTest {
         refusal(
             b -> b.circle(0, 0, 1, 0, -INFINITY),
             "circle 3: vy is -Infinity: expected a finite number"),
-        refusal(b -> b.bounds(0, nan, 1, 1), "bounds: ymin is NaN: expected a finite number"),
+        refusal(
+            b -> b.bounds(0, nan, 1, 1),
+            "bounds: ymin is NaN: expected a number, or infinity for an open side"),
         refusal(b -> b.bounds(0, 0, 0, 1), "bounds: xmax is 0.0: expected more than xmin, 0.0"),
         refusal(
             b -> b.restitution(-0.5),

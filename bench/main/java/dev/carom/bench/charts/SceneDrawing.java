@@ -31,6 +31,9 @@ import java.util.function.IntConsumer;
 public final class SceneDrawing {
 
   /** Nothing is drawn with a smaller radius, in pixels. */
+  /** As far as a drawing of bounds goes, in units of the scene: an open side is beyond all. */
+  private static final double FAR = 1e6;
+
   private static final double LEAST_RADIUS = 1;
 
   /** The longest arrow, as a part of the scene's diagonal, at the most. */
@@ -207,7 +210,8 @@ public final class SceneDrawing {
     }
     Bounds b = scene.bounds().get();
     Rectangle2D floor = new Rectangle2D.Double();
-    floor.setFrameFromDiagonal(point(map, b.xmin(), b.ymin()), point(map, b.xmax(), b.ymax()));
+    floor.setFrameFromDiagonal(
+        point(map, drawn(b.xmin()), drawn(b.ymin())), point(map, drawn(b.xmax()), drawn(b.ymax())));
     g.setColor(scheme.floor());
     g.fill(floor);
     double half = Style.FIRM / 2; // the inner edge of the line is the wall
@@ -219,6 +223,11 @@ public final class SceneDrawing {
     g.setColor(scheme.ink());
     g.setStroke(Style.line(Style.FIRM));
     g.draw(floor);
+  }
+
+  /** An open side is drawn where nobody sees it. */
+  private static double drawn(double side) {
+    return Math.max(-FAR, Math.min(side, FAR));
   }
 
   private void obstacles(Graphics2D g, AffineTransform map) {

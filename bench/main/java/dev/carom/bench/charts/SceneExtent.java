@@ -24,9 +24,11 @@ final class SceneExtent {
     SceneExtent extent = new SceneExtent();
     Optional<Bounds> bounds = scene.bounds();
     if (bounds.isPresent()) {
-      extent.include(bounds.get().xmin(), bounds.get().ymin(), 0);
-      extent.include(bounds.get().xmax(), bounds.get().ymax(), 0);
-    } else {
+      Bounds b = bounds.get();
+      extent.include(b.xmin(), b.ymin(), 0);
+      extent.include(b.xmax(), b.ymax(), 0);
+    }
+    if (scene.count(Kind.WALL) < 4) {
       extent.includeAll(scene);
     }
     return extent.rectangle();
@@ -51,14 +53,18 @@ final class SceneExtent {
   }
 
   private void include(double x, double y, double radius) {
-    xmin = Math.min(xmin, x - radius);
-    ymin = Math.min(ymin, y - radius);
-    xmax = Math.max(xmax, x + radius);
-    ymax = Math.max(ymax, y + radius);
+    if (Double.isFinite(x)) { // an open side is not drawn
+      xmin = Math.min(xmin, x - radius);
+      xmax = Math.max(xmax, x + radius);
+    }
+    if (Double.isFinite(y)) {
+      ymin = Math.min(ymin, y - radius);
+      ymax = Math.max(ymax, y + radius);
+    }
   }
 
   private Rectangle2D rectangle() {
-    if (!(xmin <= xmax)) {
+    if (!(xmin <= xmax && ymin <= ymax)) {
       return new Rectangle2D.Double(0, 0, 1, 1);
     }
     double least = Math.max(xmax - xmin, ymax - ymin) / 8; // a lone level line still has height

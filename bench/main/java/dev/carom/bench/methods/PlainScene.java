@@ -58,11 +58,17 @@ public final class PlainScene {
   /**
    * Refuses obstacles that move.
    *
-   * @throws UnsupportedOperationException if a line or a peg moves
+   * @throws UnsupportedOperationException if a line or a peg moves, or a side of the bounds is open
    */
   public static Scene checkRest(Scene scene) {
+    refuse(isOpen(scene), "its bounds are open", "four walls or none");
     refuse(!isAtRest(scene), "lines or pegs move", "obstacles at rest");
     return scene;
+  }
+
+  /** Whether the bounds have open sides. */
+  public static boolean isOpen(Scene scene) {
+    return scene.bounds().isPresent() && scene.count(Kind.WALL) < 4;
   }
 
   /** Whether no line or peg moves. */

@@ -23,6 +23,10 @@ final class Scope {
     if (!scene.gravity().equals(Vec2.ZERO)) {
       allFall(scene);
     }
+    if (PlainScene.isOpen(scene)) {
+      throw new IllegalArgumentException(
+          "the bounds are open: a reference expects four walls or none");
+    }
     if (scene.bounds().isPresent()) {
       bounces("bounds", scene, Kind.WALL, 0);
     }

@@ -58,7 +58,8 @@ public final class Handles {
     int end = end(kind);
     boolean removed = id >= 0 && id < end;
     String others = end == 0 ? "there is none" : "expected an id from 0 to " + (end - 1);
-    String reason = removed ? "it was removed" : others;
+    String gone = kind == KindNumber.WALL ? "the bounds are open there" : "it was removed";
+    String reason = removed ? gone : others;
     return new IndexOutOfBoundsException(
         "%s does not exist: %s".formatted(KindNumber.nameOf(kind, id), reason));
   }

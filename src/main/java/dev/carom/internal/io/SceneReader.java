@@ -68,7 +68,15 @@ final class SceneReader {
 
   private void wall(SceneRow row) throws RowException {
     only(row);
-    builder.bounds(row.number(1), row.number(2), row.number(3), row.number(4));
+    builder.bounds(side(row, 1), side(row, 2), side(row, 3), side(row, 4));
+  }
+
+  private static double side(SceneRow row, int field) throws RowException {
+    return switch (row.field(field)) {
+      case "-inf", "-Infinity" -> Double.NEGATIVE_INFINITY;
+      case "inf", "Infinity" -> Double.POSITIVE_INFINITY;
+      default -> row.number(field);
+    };
   }
 
   private void circle(SceneRow row) throws RowException {

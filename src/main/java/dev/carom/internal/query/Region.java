@@ -9,6 +9,7 @@ import dev.carom.internal.state.ObstacleTable;
 import dev.carom.internal.sweep.ObstacleShape;
 import dev.carom.internal.sweep.PegShape;
 import dev.carom.internal.sweep.WallSweep;
+import java.util.Arrays;
 
 /**
  * A disk or a box, and what overlaps it. Overlaps are decided exactly, by the signs that the
@@ -90,8 +91,12 @@ public abstract class Region {
     private final double[] sides;
 
     Box(double[] sides) {
-      this.sides = sides;
+      this.sides = Arrays.stream(sides).map(Box::finite).toArray();
       outside.set(sides[Codes.LEFT], sides[Codes.BOTTOM], sides[Codes.RIGHT], sides[Codes.TOP]);
+    }
+
+    private static double finite(double side) {
+      return Math.max(-Double.MAX_VALUE, Math.min(side, Double.MAX_VALUE));
     }
 
     @Override

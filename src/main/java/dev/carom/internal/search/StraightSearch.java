@@ -33,14 +33,9 @@ final class StraightSearch extends CellWalk {
   /** No overflow up to this: a sum of two cross products is at most 8 times as large. */
   private static final double MOST_SAFE = 0x1p1020;
 
-  /** The middle of the bounds, and its distances from the walls. */
-  private final double middleX;
+  private final double[] walls;
 
-  private final double middleY;
-  private final double halfWidth;
-  private final double halfHeight;
-
-  /** The largest coordinate of the bounds, and that of the lines and pegs. */
+  /** The largest finite coordinate of the bounds, and that of the lines and pegs. */
   private final double extentOfBounds;
 
   double extent;
@@ -64,13 +59,8 @@ final class StraightSearch extends CellWalk {
 
   StraightSearch(ObstacleTable obstacles, CodeSet loose) {
     super(obstacles, loose);
-    double[] w = obstacles.walls;
-    middleX = w == null ? 0 : w[Codes.LEFT] / 2 + w[Codes.RIGHT] / 2;
-    middleY = w == null ? 0 : w[Codes.BOTTOM] / 2 + w[Codes.TOP] / 2;
-    halfWidth = w == null ? NEVER : w[Codes.RIGHT] / 2 - w[Codes.LEFT] / 2;
-    halfHeight = w == null ? NEVER : w[Codes.TOP] / 2 - w[Codes.BOTTOM] / 2;
-    extentOfBounds =
-        w == null ? 0 : Math.max(Math.abs(middleX) + halfWidth, Math.abs(middleY) + halfHeight);
+    walls = obstacles.walls;
+    extentOfBounds = obstacles.extentOfBounds();
   }
 
   @Override
@@ -188,12 +178,17 @@ final class StraightSearch extends CellWalk {
     }
     // Distances from the walls ahead, branch-free. They err by less
     // than 16 u of the size, reciprocals and products included.
-    double x = halfWidth - Math.copySign(1, vx) * (px - middleX);
-    double y = halfHeight - Math.copySign(1, vy) * (py - middleY);
+    double x = Math.copySign(1, vx) * (walls[ahead(Codes.LEFT, vx)] - px);
+    double y = Math.copySign(1, vy) * (walls[ahead(Codes.BOTTOM, vy)] - py);
     aheadX = (x - inset) * perVx;
     aheadY = (y - inset) * perVy;
     double t = Math.min(aheadX, aheadY);
     return t > 0 ? t : 0; // NaN if a distance is beyond the doubles
+  }
+
+  /** The code of the wall that v, which may be 0 of either sign, points to. */
+  private static int ahead(int lowCode, double v) {
+    return lowCode + 1 - (int) (Double.doubleToRawLongBits(v) >>> 63);
   }
 
   /** Considers the two walls ahead; the one that is later by estimate only if it may come first. */
@@ -246,16 +241,11 @@ final class StraightSearch extends CellWalk {
   /** Considers the wall that the circle moves towards, of the vertical or of the other ones. */
   private void considerWall(boolean vertical) {
     double v = vertical ? vx : vy;
-    int code = wallCode(vertical ? Codes.LEFT : Codes.BOTTOM, v);
+    int code = ahead(vertical ? Codes.LEFT : Codes.BOTTOM, v);
     double t = WallSweep.time(vertical ? px : py, r, v, obstacles.walls[code]);
     if (!ignores(code)) {
       offer(t, code, 0);
     }
-  }
-
-  /** The code of the wall that v points to, of two parallel ones; either if v is 0. */
-  private static int wallCode(int lowCode, double v) {
-    return lowCode + (UnitVectors.sign(v) + 1) / 2;
   }
 
   /** Considers a line; the segment filter alone decides nearly always. */

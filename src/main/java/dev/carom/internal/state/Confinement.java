@@ -43,11 +43,16 @@ final class Confinement {
     return p - r >= low && p + r <= high;
   }
 
+  /** The size of a coordinate; 0 of an open side. */
+  private static double size(double wall) {
+    return Double.isInfinite(wall) ? 0 : Math.abs(wall);
+  }
+
   private static double between(double low, double high, double start, double p, double r) {
     if (isBetween(low, high, p, r)) {
       return p;
     }
-    double rounding = ULPS * Math.ulp(Math.max(Math.max(Math.abs(low), Math.abs(high)), r));
+    double rounding = ULPS * Math.ulp(Math.max(Math.max(size(low), size(high)), r));
     if (p + r > high + rounding && start + r <= high + rounding) {
       return high - r;
     }

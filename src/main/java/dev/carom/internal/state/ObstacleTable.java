@@ -190,12 +190,22 @@ public final class ObstacleTable {
 
   /** Whether an obstacle is there, or a wall: its code is below the end of its kind. */
   public boolean isThere(int code) {
-    return Codes.isWall(code) ? walls != null : !isGone(code);
+    return Codes.isWall(code) ? isWallThere(code) : !isGone(code);
+  }
+
+  /** Whether there is a wall on a side: bounds may be open. */
+  private boolean isWallThere(int code) {
+    return walls != null && Double.isFinite(walls[code]);
+  }
+
+  /** The largest absolute coordinate of the walls; 0 if there are none. */
+  public double extentOfBounds() {
+    return codes(KindNumber.WALL).mapToDouble(code -> Math.abs(walls[code])).max().orElse(0);
   }
 
   /** The number of live obstacles of a {@link KindNumber}. */
   public int count(int kind) {
-    return kind == KindNumber.WALL ? end(kind) : ofKind(kind).present().count();
+    return kind == KindNumber.WALL ? (int) codes(kind).count() : ofKind(kind).present().count();
   }
 
   /** One more than the number of the last obstacle of a {@link KindNumber}, gone or not. */
@@ -207,7 +217,7 @@ public final class ObstacleTable {
   /** The codes of the live obstacles of a {@link KindNumber}. */
   public IntStream codes(int kind) {
     return kind == KindNumber.WALL
-        ? IntStream.range(0, end(kind))
+        ? IntStream.range(0, end(kind)).filter(this::isWallThere)
         : ofKind(kind).present().stream(ofKind(kind)::isGone);
   }
 

@@ -77,12 +77,8 @@ public final class SceneData {
 
   /** The limits of sizes at the start: of all coordinates, those of bounds too, and all radii. */
   public SizeLimits limits() {
-    SizeLimits limits = new SizeLimits(obstacles.extent(), Double.POSITIVE_INFINITY);
-    double[] w = obstacles.walls;
-    if (w != null) {
-      limits.keepPlace(w[Codes.LEFT], w[Codes.BOTTOM]);
-      limits.keepPlace(w[Codes.RIGHT], w[Codes.TOP]);
-    }
+    double extent = Math.max(obstacles.extent(), obstacles.extentOfBounds());
+    SizeLimits limits = new SizeLimits(extent, Double.POSITIVE_INFINITY);
     for (int i = 0; i < circleCount(); i++) {
       limits.keepPlace(x(i), y(i));
       limits.keepRadius(radius(i));

@@ -47,7 +47,7 @@ public final class ParabolaWallSweep {
     if (time < T || time == 0) {
       return time;
     }
-    if (time > T) {
+    if (time > T || Double.isInfinite(wall)) { // at infinity there is none
       return NEVER;
     }
     GapPolynomial gap = gap(GapPolynomial.EXACT, p, r, v, g, wall, inward);

@@ -78,7 +78,7 @@ public record Separation(double x, double y) {
     double least = r - (isLow ? p - low : high - p);
     Overlap overlap =
         (at, y) -> isLow ? WallSweep.isNearer(at, low, r) : WallSweep.isNearer(high, at, r);
-    double size = Math.max(size(low, high), Math.abs(p)) + r;
+    double size = Math.max(Math.abs(isLow ? low : high), Math.abs(p)) + r;
     UnitVector n = isLow ? ALONG_X : new UnitVector(-1, 0);
     double out = out(p, 0, overlap, n, least, size).x();
     if (WallSweep.overlaps(p + out, r, low, high)) {

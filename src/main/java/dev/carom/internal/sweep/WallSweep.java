@@ -39,9 +39,14 @@ public final class WallSweep {
     return isNearer(p, low, r) || isNearer(high, p, r);
   }
 
-  /** Whether {@code p - q < r}, exactly: whether a disk at p overlaps a wall below it at q. */
+  /**
+   * Whether {@code p - q < r}, exactly: whether a disk at p overlaps a wall below it at q. At
+   * infinity there is none.
+   */
   public static boolean isNearer(double p, double q, double r) {
-    return Dyadic.of(p).minus(Dyadic.of(q)).minus(Dyadic.of(r)).sign() < 0;
+    return Double.isFinite(p)
+        && Double.isFinite(q)
+        && Dyadic.of(p).minus(Dyadic.of(q)).minus(Dyadic.of(r)).sign() < 0;
   }
 
   /**
@@ -91,6 +96,9 @@ public final class WallSweep {
   }
 
   private static double settled(double p, double r, double v, double wall, double T) {
+    if (Double.isInfinite(wall)) {
+      return Double.POSITIVE_INFINITY; // no wall
+    }
     double time = FallSweep.settled(gap(GapPolynomial.EXACT, p, r, v, wall), T);
     return Double.isNaN(time) ? FallSweep.settled(exactTime(p, r, v, wall), T) : time;
   }

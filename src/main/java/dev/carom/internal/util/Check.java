@@ -52,17 +52,23 @@ public final class Check {
     }
   }
 
-  /** Checks the sides of a rectangle, which must be wider and higher than 0. */
+  /** Checks the sides of a rectangle, wider and higher than 0; a side at infinity is open. */
   public static void bounds(double xmin, double ymin, double xmax, double ymax) {
-    finite("xmin", xmin);
-    finite("ymin", ymin);
-    finite("xmax", xmax);
-    finite("ymax", ymax);
+    number("xmin", xmin);
+    number("ymin", ymin);
+    number("xmax", xmax);
+    number("ymax", ymax);
     if (!(xmax > xmin)) {
       throw refused("xmax", xmax, "more than xmin, " + xmin);
     }
     if (!(ymax > ymin)) {
       throw refused("ymax", ymax, "more than ymin, " + ymin);
+    }
+  }
+
+  private static void number(String name, double value) {
+    if (Double.isNaN(value)) {
+      throw refused(name, value, "a number, or infinity for an open side");
     }
   }
 
