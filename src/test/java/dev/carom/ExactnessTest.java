@@ -13,6 +13,7 @@ import dev.carom.oracle.Judge;
 import dev.carom.oracle.MovingLineQuery;
 import dev.carom.oracle.PairQuery;
 import dev.carom.oracle.Part;
+import dev.carom.oracle.Query;
 import dev.carom.oracle.SegmentQuery;
 import dev.carom.oracle.Tally;
 import dev.carom.oracle.WallQuery;
@@ -35,7 +36,8 @@ class ExactnessTest {
   private static final long SEED = Long.getLong("carom.seed", 1);
   private static final int CHUNK = (int) Math.min(500, QUERIES / Families.all().size());
 
-  private final Judge judge = new Judge(new Library());
+  private final Library library = new Library();
+  private final Judge<Query> judge = new Judge<>(query -> query.ask(library));
 
   static Stream<String> files() {
     return CaseFile.names().stream();
@@ -72,7 +74,9 @@ class ExactnessTest {
     FamilyTallies tallies = new FamilyTallies();
     for (Family family : families) {
       tallies.add(
-          family.name(), chunks, chunk -> judge.judge(family, SEED * 1_000_000 + chunk, CHUNK));
+          family.name(),
+          chunks,
+          chunk -> judge.judge(family.name(), family::next, SEED * 1_000_000 + chunk, CHUNK));
     }
     tallies.assertNoFailure();
   }

@@ -8,11 +8,11 @@ import dev.carom.internal.sweep.Contact;
 import dev.carom.internal.sweep.Falls;
 import dev.carom.internal.sweep.Hit;
 import dev.carom.oracle.Answer;
+import dev.carom.oracle.Judge;
 import dev.carom.oracle.MovingLineQuery;
 import dev.carom.oracle.PairQuery;
 import dev.carom.oracle.ParabolaFamilies;
 import dev.carom.oracle.ParabolaFamily;
-import dev.carom.oracle.ParabolaJudge;
 import dev.carom.oracle.ParabolaQuery;
 import dev.carom.oracle.Part;
 import dev.carom.oracle.SegmentQuery;
@@ -39,7 +39,7 @@ class ParabolaExactnessTest {
   private static final String FAMILIES = System.getProperty("carom.families", ".*");
   private static final int CHUNK = 50;
 
-  private final ParabolaJudge judge = new ParabolaJudge(ParabolaExactnessTest::ask);
+  private final Judge<ParabolaQuery> judge = new Judge<>(ParabolaExactnessTest::ask);
 
   /** Each family has its share of the queries, in chunks that each have their own seed. */
   @Test
@@ -48,7 +48,9 @@ class ParabolaExactnessTest {
     FamilyTallies tallies = new FamilyTallies();
     for (ParabolaFamily family : families()) {
       tallies.add(
-          family.name(), chunks, chunk -> judge.judge(family, SEED * 1_000_000 + chunk, CHUNK));
+          family.name(),
+          chunks,
+          chunk -> judge.judge(family.name(), family::next, SEED * 1_000_000 + chunk, CHUNK));
     }
     tallies.assertNoFailure();
   }
@@ -101,8 +103,8 @@ class ParabolaExactnessTest {
   @EnumSource(Defect.class)
   void noDefectIsOverlooked(Defect defect) {
     long[] spoilt = new long[1];
-    ParabolaJudge strict =
-        new ParabolaJudge(
+    Judge<ParabolaQuery> strict =
+        new Judge<>(
             query -> {
               Answer answer = ask(query);
               Answer spoiled = answer.part() == Part.NONE ? answer : defect.spoil(answer);
@@ -111,7 +113,7 @@ class ParabolaExactnessTest {
             });
     Tally tally = new Tally();
     for (ParabolaFamily family : families()) {
-      tally = tally.plus(strict.judge(family, SEED, 3));
+      tally = tally.plus(strict.judge(family.name(), family::next, SEED, 3));
     }
     assertEquals(spoilt[0], tally.failures());
     assertTrue(spoilt[0] > 30);

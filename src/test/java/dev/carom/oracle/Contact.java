@@ -8,15 +8,11 @@ package dev.carom.oracle;
  * @param moment when; null for a miss
  * @param normal the unit normal; null for a miss
  */
-public record Contact(Part part, Moment moment, Normal normal) {
+public record Contact(Part part, Moment moment, Normal normal) implements Truth {
   /** Nothing is hit. */
   public static final Contact MISS = new Contact(Part.NONE, null, null);
 
-  public boolean hit() {
-    return part != Part.NONE;
-  }
-
-  /** The correctly rounded time of impact, infinite for a miss. */
+  @Override
   public double time() {
     return hit() ? moment.nearest() : Double.POSITIVE_INFINITY;
   }
@@ -26,9 +22,8 @@ public record Contact(Part part, Moment moment, Normal normal) {
     return !hit() || moment.within(end) ? this : MISS;
   }
 
-  /** The greatest error of a component of a given normal; infinite if it is not a number. */
-  public double normalError(double nx, double ny) {
-    double error = normal.error(nx, ny);
-    return Double.isNaN(error) ? Double.POSITIVE_INFINITY : error;
+  @Override
+  public double errorInUlps(double candidate) {
+    return moment.errorInUlps(candidate);
   }
 }

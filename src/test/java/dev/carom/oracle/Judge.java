@@ -1,37 +1,38 @@
 // SPDX-License-Identifier: Apache-2.0
 package dev.carom.oracle;
 
+import java.util.function.Function;
+
 /**
  * Compares a detector with the oracle: the decisions (hit or miss, and the feature), the times of
  * impact and the normals.
  */
-public final class Judge {
+public final class Judge<Q extends Question> {
   private static final double NORMAL_BOUND = 1e-15;
 
-  private final Detector detector;
+  private final Function<Q, Answer> detector;
 
-  public Judge(Detector detector) {
+  public Judge(Function<Q, Answer> detector) {
     this.detector = detector;
   }
 
   /** Asks for queries of a family and judges the answers; a seed always gives the same queries. */
-  public Tally judge(Family family, long seed, int queries) {
-    Draw draw = new Draw(seed * 0x9E3779B97F4A7C15L ^ family.name().hashCode());
+  public Tally judge(String family, Function<Draw, Q> next, long seed, int queries) {
+    Draw draw = new Draw(seed * 0x9E3779B97F4A7C15L ^ family.hashCode());
     Tally tally = new Tally();
     for (int i = 0; i < queries; i++) {
-      Query query = family.next(draw);
-      judge(query, tally, family.name() + ", seed " + seed + ", query " + i);
+      judge(next.apply(draw), tally, family + ", seed " + seed + ", query " + i);
     }
     return tally;
   }
 
   /** Judges the answer to one query; the name of its source begins the description of a failure. */
-  public void judge(Query query, Tally tally, String source) {
-    Contact truth = query.truth();
+  public void judge(Q query, Tally tally, String source) {
+    Truth truth = query.truth();
     tally.queries++;
     tally.hits += truth.hit() ? 1 : 0;
     try {
-      Answer answer = query.ask(detector);
+      Answer answer = detector.apply(query);
       if (!agrees(truth, answer)) {
         tally.wrongDecisions++;
         tally.note(describe("wrong decision", source, query, truth, answer.toString()));
@@ -45,19 +46,18 @@ public final class Judge {
   }
 
   /** The same feature or miss, and the time of a miss is infinite. */
-  private static boolean agrees(Contact truth, Answer answer) {
+  private static boolean agrees(Truth truth, Answer answer) {
     return truth.part() == answer.part()
         && (truth.hit() || answer.time() == Double.POSITIVE_INFINITY);
   }
 
   private static void judgeHit(
-      Query query, Contact truth, Answer answer, Tally tally, String source) {
-    Moment moment = truth.moment();
-    double time = answer.time();
-    tally.worstUlps = Math.max(tally.worstUlps, Math.abs(moment.errorInUlps(time)));
-    if (moment.nearest() != time) {
+      Question query, Truth truth, Answer answer, Tally tally, String source) {
+    if (truth.time() != answer.time()) {
+      double ulps = Math.abs(truth.errorInUlps(answer.time()));
+      tally.worstUlps = Math.max(tally.worstUlps, ulps);
       tally.notNearest++;
-      if (!moment.withinOneUlp(time)) {
+      if (!(ulps <= 1)) {
         tally.beyondOneUlp++;
         tally.note(describe("time beyond 1 ulp", source, query, truth, answer.toString()));
       }
@@ -71,7 +71,7 @@ public final class Judge {
   }
 
   private static String describe(
-      String what, String source, Query query, Contact truth, String answer) {
+      String what, String source, Question query, Truth truth, String answer) {
     return String.join(
         "\n  ",
         what + ": " + source,

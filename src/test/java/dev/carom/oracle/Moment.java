@@ -115,16 +115,6 @@ public final class Moment implements Comparable<Moment> {
     return rounded;
   }
 
-  /** Whether {@code |candidate - t| <= 1 ulp}, exactly; the ulp is that of t itself. */
-  public boolean withinOneUlp(double candidate) {
-    if (!Double.isFinite(candidate)) {
-      return false;
-    }
-    Dyadic ulp = Dyadic.of(ulp());
-    Dyadic value = Dyadic.of(candidate);
-    return compareTo(value.minus(ulp)) >= 0 && compareTo(value.plus(ulp)) <= 0;
-  }
-
   /** {@code (candidate - t) / ulp(t)}, rounded; infinite for a candidate that is not finite. */
   public double errorInUlps(double candidate) {
     if (!Double.isFinite(candidate)) {

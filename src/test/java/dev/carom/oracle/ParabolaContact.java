@@ -8,14 +8,10 @@ package dev.carom.oracle;
  * @param moment when: null for time 0, and for a miss
  * @param normal the unit normal; null for a miss
  */
-public record ParabolaContact(Part part, SturmRoot moment, Normal normal) {
+public record ParabolaContact(Part part, SturmRoot moment, Normal normal) implements Truth {
   static final ParabolaContact MISS = new ParabolaContact(Part.NONE, null, null);
 
-  public boolean hit() {
-    return part != Part.NONE;
-  }
-
-  /** The correctly rounded time, of two equally near doubles the even one; infinite for a miss. */
+  @Override
   public double time() {
     if (!hit()) {
       return Double.POSITIVE_INFINITY;
@@ -26,13 +22,13 @@ public record ParabolaContact(Part part, SturmRoot moment, Normal normal) {
     return moment.nearest();
   }
 
-  /** How far a time is from the true one, in ulps of that. */
+  @Override
   public double errorInUlps(double time) {
     if (!Double.isFinite(time)) {
       return Double.POSITIVE_INFINITY;
     }
     Dyadic truth = moment == null ? Dyadic.ZERO : moment.narrow(120).low();
-    Dyadic error = Dyadic.of(time).minus(truth).abs();
+    Dyadic error = Dyadic.of(time).minus(truth);
     return error.signum() == 0 ? 0 : error.over(Dyadic.of(Math.ulp(time())), 64).near();
   }
 

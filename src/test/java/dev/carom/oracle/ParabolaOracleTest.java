@@ -83,10 +83,10 @@ class ParabolaOracleTest {
   /** A foil that misses all. */
   @Test
   void theJudgeSeesThatNothingIsEverHit() {
-    ParabolaJudge judge = new ParabolaJudge(query -> Answer.MISS);
+    Judge<ParabolaQuery> judge = new Judge<>(query -> Answer.MISS);
     Tally tally = new Tally();
     for (ParabolaFamily family : ParabolaFamilies.all()) {
-      tally = tally.plus(judge.judge(family, 1, 2));
+      tally = tally.plus(judge.judge(family.name(), family::next, 1, 2));
     }
     assertThat(tally.wrongDecisions()).isEqualTo(tally.hits).isGreaterThan(40);
   }
@@ -94,8 +94,8 @@ class ParabolaOracleTest {
   @Test
   void theJudgeSeesATimeAnUlpOff() {
     ParabolaFamily uniform = ParabolaFamilies.all().get(0);
-    ParabolaJudge judge =
-        new ParabolaJudge(
+    Judge<ParabolaQuery> judge =
+        new Judge<>(
             query -> {
               ParabolaContact truth = query.truth();
               Normal n = truth.normal();
@@ -103,7 +103,7 @@ class ParabolaOracleTest {
                   ? new Answer(Math.nextUp(truth.time()), truth.part(), n.x().near(), n.y().near())
                   : Answer.MISS;
             });
-    Tally tally = judge.judge(uniform, 1, 20);
+    Tally tally = judge.judge(uniform.name(), uniform::next, 1, 20);
     assertThat(tally.notNearest()).isEqualTo(tally.hits).isPositive();
     assertThat(tally.wrongDecisions()).isZero();
     assertThat(tally.badNormals).isZero();

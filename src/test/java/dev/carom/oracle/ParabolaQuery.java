@@ -10,9 +10,9 @@ import java.util.stream.DoubleStream;
  * @param gx its x component
  * @param gy its y component
  */
-public record ParabolaQuery(Query straight, double gx, double gy) {
+public record ParabolaQuery(Query straight, double gx, double gy) implements Question {
 
-  /** The exact answer. */
+  @Override
   public ParabolaContact truth() {
     return ParabolaOracle.answer(this);
   }
@@ -51,7 +51,7 @@ public record ParabolaQuery(Query straight, double gx, double gy) {
     return DoubleStream.concat(all, DoubleStream.of(times)).toArray();
   }
 
-  /** Every number as a hexadecimal double. */
+  @Override
   public String hex() {
     return straight.hex() + ", gx " + Double.toHexString(gx) + ", gy " + Double.toHexString(gy);
   }

@@ -6,9 +6,10 @@ import java.util.StringJoiner;
 import java.util.stream.DoubleStream;
 
 /** A question about contact: doubles, taken as exact real numbers. */
-public sealed interface Query permits SegmentQuery, MovingLineQuery, PairQuery, WallQuery {
+public sealed interface Query extends Question
+    permits SegmentQuery, MovingLineQuery, PairQuery, WallQuery {
 
-  /** The exact answer. */
+  @Override
   Contact truth();
 
   /** The answer of a detector under test. */
@@ -29,7 +30,7 @@ public sealed interface Query permits SegmentQuery, MovingLineQuery, PairQuery, 
     return DoubleStream.of(numbers).limit(numbers.length - 1L).allMatch(Double::isFinite);
   }
 
-  /** Every number as a hexadecimal double, as Java source. */
+  @Override
   default String hex() {
     StringJoiner text = new StringJoiner(", ", getClass().getSimpleName() + "(", ")");
     List<String> names = names();
