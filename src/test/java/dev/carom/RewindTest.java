@@ -9,7 +9,6 @@ import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.assertThatThrownBy;
 
 import java.util.Arrays;
-import java.util.List;
 import java.util.Random;
 import java.util.TreeMap;
 import java.util.function.Consumer;
@@ -115,55 +114,14 @@ class RewindTest {
 
   // Changes within flights.
 
-  private static World box(boolean collide) {
-    return new World(
-        Scene.builder()
-            .bounds(0, 0, 100, 100)
-            .collide(collide)
-            .line(20, 20, 40, 40)
-            .line(60, 20, 80, 30)
-            .peg(50, 70, 5)
-            .circle(10, 50, 3, 4, 1)
-            .circle(90, 50, 2, -3, 2)
-            .circle(50, 50, 4, 1, 1)
-            .build());
-  }
-
   /** Snapshots before and after each change, then one more change of the same kind. */
   @ParameterizedTest
   @ValueSource(booleans = {false, true})
   void eachPropertyIsRecorded(boolean collide) {
-    List<Consumer<World>> changes =
-        List.of(
-            w -> w.setTraits(Kind.CIRCLE, 1, w.traits(Kind.CIRCLE, 1).withMass(2)),
-            w ->
-                w.setTraits(
-                    Kind.CIRCLE, 1, w.traits(Kind.CIRCLE, 1).withMass(Double.POSITIVE_INFINITY)),
-            w -> w.setTraits(CIRCLE, 1, w.traits(CIRCLE, 1).withRestitution(0.5)),
-            w -> w.setTraits(WALL, 2, w.traits(WALL, 2).withRestitution(0.5)),
-            w -> w.setTraits(LINE, 1, w.traits(LINE, 1).withRestitution(0.5)),
-            w -> w.setTraits(PEG, 0, w.traits(PEG, 0).withRestitution(0.5)),
-            w -> w.setTraits(CIRCLE, 1, w.traits(CIRCLE, 1).withResponse(Response.HALT)),
-            w -> w.setTraits(WALL, 1, w.traits(WALL, 1).withResponse(Response.HALT)),
-            w -> w.setTraits(LINE, 1, w.traits(LINE, 1).withResponse(Response.HALT)),
-            w -> w.setTraits(PEG, 0, w.traits(PEG, 0).withResponse(Response.SENSOR)),
-            w -> w.setTraits(Kind.LINE, 1, w.traits(Kind.LINE, 1).withOneWay(true)),
-            w -> w.setTraits(CIRCLE, 1, w.traits(CIRCLE, 1).withFilter(new Filter(2, 3))),
-            w -> w.setTraits(WALL, 1, w.traits(WALL, 1).withFilter(new Filter(3, -1))),
-            w -> w.setTraits(LINE, 1, w.traits(LINE, 1).withFilter(new Filter(2, 3))),
-            w -> w.setTraits(PEG, 0, w.traits(PEG, 0).withFilter(new Filter(2, 3))),
-            w -> w.setVelocity(LINE, 1, 0.25, 0),
-            w -> w.setVelocity(PEG, 0, 0, -0.5),
-            w -> w.setShape(Kind.CIRCLE, 1, new Circle(w.x(1), w.y(1), 2.5)),
-            w -> w.addLine(1, 1, 2, 2, Traits.DEFAULT),
-            w -> w.addPeg(1, 1, 0, Traits.DEFAULT),
-            w -> w.remove(LINE, w.addLine(2, 1, 3, 2, Traits.DEFAULT)),
-            w -> w.remove(CIRCLE, w.addCircle(5, 5, 1, 0, 0, Traits.DEFAULT)),
-            w -> w.setShape(Kind.LINE, 0, new Line(1e6, 20, 40, 40)));
-    World world = box(collide);
+    World world = SnapshotTest.world(collide);
     Timeline past = world.record(MOST);
     TreeMap<Double, Snapshot> expected = new TreeMap<>();
-    for (Consumer<World> change : changes) {
+    for (Consumer<World> change : SnapshotTest.changes().toList()) {
       world.step(0.125);
       Snapshot before = world.snapshot();
       change.accept(world);
@@ -206,7 +164,7 @@ class RewindTest {
 
   @Test
   void theBoundHoldsForPropertiesToo() {
-    World world = box(false);
+    World world = SnapshotTest.world(false);
     Timeline past = world.record(3 * 0.125);
     for (int i = 1; i <= 5; i++) {
       world.step(0.125);
@@ -245,7 +203,7 @@ class RewindTest {
 
   @Test
   void theEndOfARecordingThatStoppedStays() {
-    World world = box(true);
+    World world = SnapshotTest.world(true);
     Timeline first = world.record(MOST);
     world.step(3);
     Snapshot atThree = world.snapshot();
@@ -258,14 +216,14 @@ class RewindTest {
     world.step(3);
     assertThat(first.snapshot(3)).isEqualTo(atThree);
     assertThat(second.snapshot(3)).isEqualTo(edited);
-    World then = box(true);
+    World then = SnapshotTest.world(true);
     then.step(2);
     assertThat(first.snapshot(2)).isEqualTo(then.snapshot());
   }
 
   @Test
   void timesThatAreNotRecordedAreRefused() {
-    World world = box(false);
+    World world = SnapshotTest.world(false);
     world.step(1);
     Timeline past = world.record(MOST);
     world.step(1);
@@ -280,7 +238,7 @@ class RewindTest {
   @ParameterizedTest
   @ValueSource(booleans = {false, true})
   void idsAreNotGivenAgain(boolean collide) {
-    World world = box(collide);
+    World world = SnapshotTest.world(collide);
     Timeline past = world.record(2);
     TreeMap<Double, Snapshot> expected = new TreeMap<>();
     for (int i = 0; i < 100; i++) {

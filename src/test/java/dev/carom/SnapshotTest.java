@@ -29,10 +29,11 @@ class SnapshotTest {
     return builder.circle(10, 50, 3, 4, 1).circle(90, 50, 2, -3, 2).circle(50, 50, 4, 1, 1);
   }
 
-  private static World world(boolean collide) {
+  static World world(boolean collide) {
     return new World(box(collide).build());
   }
 
+  /** Edits, each of which changes something, alone and after those before it. */
   static Stream<Consumer<World>> changes() {
     return Stream.of(
         w -> w.step(1),
@@ -41,6 +42,7 @@ class SnapshotTest {
         w -> w.setPosition(1, 80, 50),
         w -> w.setShape(Kind.CIRCLE, 1, new Circle(w.x(1), w.y(1), 2.5)),
         w -> w.setTraits(Kind.CIRCLE, 1, w.traits(Kind.CIRCLE, 1).withMass(2)),
+        w -> w.setTraits(CIRCLE, 2, w.traits(CIRCLE, 2).withMass(Double.POSITIVE_INFINITY)),
         w -> w.setTraits(CIRCLE, 1, w.traits(CIRCLE, 1).withRestitution(0.5)),
         w -> w.setTraits(WALL, 2, w.traits(WALL, 2).withRestitution(0.5)),
         w -> w.setTraits(LINE, 1, w.traits(LINE, 1).withRestitution(0.5)),
@@ -62,14 +64,14 @@ class SnapshotTest {
         w -> w.addLine(1, 1, 2, 2, Traits.DEFAULT),
         w -> w.addPeg(1, 1, 0, Traits.DEFAULT),
         w -> w.addCircle(5, 5, 1, 0, 0, Traits.DEFAULT),
-        w -> w.remove(LINE, 1),
-        w -> w.remove(PEG, 0),
-        w -> w.remove(CIRCLE, 1),
         w -> {
           // Back again, but a radius that was fine before is refused now.
           w.setShape(Kind.LINE, 1, new Line(1e9, 20, 80, 30));
           w.setShape(Kind.LINE, 1, new Line(60, 20, 80, 30));
-        });
+        },
+        w -> w.remove(LINE, 1),
+        w -> w.remove(PEG, 0),
+        w -> w.remove(CIRCLE, 1));
   }
 
   @ParameterizedTest

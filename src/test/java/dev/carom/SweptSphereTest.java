@@ -61,26 +61,22 @@ class SweptSphereTest {
     assertThat(hits).isPositive();
   }
 
+  /** Two spheres on the x axis, or at one place. */
+  private static void respond(
+      double x1, double m1, double x2, double m2, double restitution, double[] v) {
+    SweptSphere first = new SweptSphere(x1, 0, 0, 0, v[0], v[1], v[2]);
+    SweptSphere second = new SweptSphere(x2, 0, 0, 0, v[3], v[4], v[5]);
+    SweptSphere.respond(first, m1, second, m2, restitution, v);
+  }
+
   /** Differences of these places, or of these velocities, are beyond the doubles. */
   @Test
   void alsoWhereDifferencesAreBeyondTheDoubles() {
     double[] v = {3, 5, 7, -2, 1, 4};
-    SweptSphere.respond(
-        new SweptSphere(-1.5e308, 0, 0, 0, v[0], v[1], v[2]),
-        2,
-        new SweptSphere(1.5e308, 0, 0, 0, v[3], v[4], v[5]),
-        2,
-        1,
-        v);
+    respond(-1.5e308, 2, 1.5e308, 2, 1, v);
     assertThat(v).containsExactly(-2, 5, 7, 3, 1, 4);
     double[] fast = {1.5e308, 5, 7, -1.25e308, 1, 4};
-    SweptSphere.respond(
-        new SweptSphere(0, 0, 0, 0, fast[0], fast[1], fast[2]),
-        2,
-        new SweptSphere(10, 0, 0, 0, fast[3], fast[4], fast[5]),
-        2,
-        1,
-        fast);
+    respond(0, 2, 10, 2, 1, fast);
     assertThat(fast).containsExactly(-1.25e308, 5, 7, 1.5e308, 1, 4);
   }
 
@@ -114,40 +110,16 @@ class SweptSphereTest {
   void whoCannotBeDeflectedGoesOn() {
     double infinite = Double.POSITIVE_INFINITY;
     double[] wall = {3, 5, 7, -2, 1, 4};
-    SweptSphere.respond(
-        new SweptSphere(0, 0, 0, 0, wall[0], wall[1], wall[2]),
-        1,
-        new SweptSphere(1e-300, 0, 0, 0, wall[3], wall[4], wall[5]),
-        infinite,
-        0,
-        wall);
+    respond(0, 1, 1e-300, infinite, 0, wall);
     assertThat(wall).containsExactly(-2, 5, 7, -2, 1, 4);
     double[] both = {3, 5, 7, -2, 1, 4};
-    SweptSphere.respond(
-        new SweptSphere(0, 0, 0, 0, both[0], both[1], both[2]),
-        infinite,
-        new SweptSphere(10, 0, 0, 0, both[3], both[4], both[5]),
-        infinite,
-        1,
-        both);
+    respond(0, infinite, 10, infinite, 1, both);
     assertThat(both).containsExactly(3, 5, 7, -2, 1, 4);
     double[] parting = {-3, 5, 7, 2, 1, 4};
-    SweptSphere.respond(
-        new SweptSphere(0, 0, 0, 0, parting[0], parting[1], parting[2]),
-        1,
-        new SweptSphere(10, 0, 0, 0, parting[3], parting[4], parting[5]),
-        1,
-        1,
-        parting);
+    respond(0, 1, 10, 1, 1, parting);
     assertThat(parting).containsExactly(-3, 5, 7, 2, 1, 4);
     double[] concentric = {-3, 5, 7, 2, 1, 4};
-    SweptSphere.respond(
-        new SweptSphere(1, 2, 3, 0, concentric[0], concentric[1], concentric[2]),
-        1,
-        new SweptSphere(1, 2, 3, 0, concentric[3], concentric[4], concentric[5]),
-        1,
-        1,
-        concentric);
+    respond(1, 1, 1, 1, 1, concentric);
     assertThat(concentric).containsExactly(-3, 5, 7, 2, 1, 4);
   }
 

@@ -6,6 +6,7 @@ import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.within;
 
 import dev.carom.Outcome;
+import dev.carom.Run;
 import dev.carom.Scene;
 import dev.carom.SceneBuilder;
 import dev.carom.World;
@@ -44,7 +45,7 @@ class CollapseTest {
                 .line(0, 0, 100, -1)
                 .restitution(e)
                 .circle(50, 0, 0.1, -1, 0.01));
-    List<Play.Hit> hits = Play.finish(world, 1e6, 3);
+    List<Run.Row> hits = Play.finish(world, 1e6, 3);
     assertThat(world.now()).isEqualTo(1e6);
     assertThat(hits.get(hits.size() - 1).outcome()).isEqualTo(Outcome.JAMMED);
     assertThat(Play.speed(world, 0)).isZero();

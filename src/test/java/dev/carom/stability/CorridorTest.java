@@ -8,6 +8,7 @@ import static org.assertj.core.api.Assertions.within;
 
 import dev.carom.Circle;
 import dev.carom.Line;
+import dev.carom.Run;
 import dev.carom.Vec2;
 import dev.carom.World;
 import java.util.List;
@@ -55,7 +56,7 @@ class CorridorTest {
     assertThat(Math.abs(naive.y - 2)).as("the naive circle leaves through a side").isGreaterThan(2);
 
     World world = corridor(WIDTH, 0.5);
-    List<Play.Hit> hits = Play.advance(world, 50);
+    List<Run.Row> hits = Play.advance(world, 50);
     assertThat(hits).allMatch(hit -> hit.time() == 0).hasSizeBetween(1_010, 2_030);
     Play.assertState(world, 0, 50, 2, 1, 0);
   }
@@ -64,7 +65,7 @@ class CorridorTest {
   @Test
   void oneUlpNarrowerItIsSlidThrough() {
     World world = corridor(Math.nextDown(WIDTH), 0.5);
-    List<Play.Hit> hits = Play.advance(world, 50);
+    List<Run.Row> hits = Play.advance(world, 50);
     assertThat(hits).hasSizeBetween(1_010, 3_000);
     assertThat(world.x(0)).isCloseTo(50, within(1e-12));
     assertThat(world.y(0)).isCloseTo(2, within(1e-15));
@@ -75,7 +76,7 @@ class CorridorTest {
   @Test
   void oneUlpWiderItIsSlidThrough() {
     World world = corridor(Math.nextUp(WIDTH), 0.5);
-    List<Play.Hit> hits = Play.advance(world, 50);
+    List<Run.Row> hits = Play.advance(world, 50);
     assertThat(hits).hasSizeBetween(1_010, 2_030);
     assertThat(world.x(0)).isCloseTo(50, within(1e-12));
     assertThat(world.y(0)).isCloseTo(2, within(2 * Math.ulp(WIDTH)));

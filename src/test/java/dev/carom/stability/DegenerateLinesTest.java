@@ -11,6 +11,7 @@ import static org.assertj.core.api.Assertions.within;
 import dev.carom.Circle;
 import dev.carom.Feature;
 import dev.carom.Line;
+import dev.carom.Run;
 import dev.carom.Vec2;
 import dev.carom.World;
 import java.util.Collections;
@@ -59,7 +60,7 @@ class DegenerateLinesTest {
   void theSameLineManyTimesIsHitOnce(int count) {
     Line[] same = Collections.nCopies(count, new Line(-9, 0, 9, 0)).toArray(new Line[0]);
     World world = world(among(same).circle(0, 9, 1, 0, -1));
-    List<Play.Hit> hits = advance(world, 16);
+    List<Run.Row> hits = advance(world, 16);
     assertThat(hits).hasSize(1);
     assertThat(hits.get(0).obstacle()).isZero();
     assertState(world, 0, 0, 9, 0, 1);

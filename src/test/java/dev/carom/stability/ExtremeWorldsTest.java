@@ -120,7 +120,7 @@ class ExtremeWorldsTest {
 
   private static void check(World world) {
     assertThat(world.now()).isFinite();
-    for (Play.State state : Play.states(world)) {
+    for (Run.State state : Run.states(world)) {
       assertThat(state.x()).isNotNaN();
       assertThat(state.y()).isNotNaN();
       assertThat(state.vx()).isFinite();

@@ -11,6 +11,7 @@ import static org.assertj.core.api.Assertions.within;
 import dev.carom.Circle;
 import dev.carom.Feature;
 import dev.carom.Line;
+import dev.carom.Run;
 import dev.carom.Vec2;
 import dev.carom.World;
 import java.util.List;
@@ -38,7 +39,7 @@ class JointTest {
   @Test
   void twoLinesInARowAreHitOnceAtTheirJoint() {
     World world = world(among(LEFT, RIGHT).circle(10, 8, 2, 0, -3));
-    List<Play.Hit> hits = advance(world, 4);
+    List<Run.Row> hits = advance(world, 4);
     assertThat(hits).hasSize(1);
     assertThat(hits.get(0).time()).isEqualTo(2);
     assertThat(hits.get(0).obstacle()).isZero();
@@ -66,7 +67,7 @@ class JointTest {
   @CsvSource({"9.999999,0", "10.000001,1", "5,0", "15,1"})
   void besideTheJointTheNearerLineIsHitOnItsSide(double x, int line) {
     World world = world(among(LEFT, RIGHT).circle(x, 8, 2, 0, -3));
-    List<Play.Hit> hits = advance(world, 4);
+    List<Run.Row> hits = advance(world, 4);
     assertThat(hits).hasSize(1);
     assertThat(hits.get(0).obstacle()).isEqualTo(line);
     assertThat(hits.get(0).feature()).isEqualTo(Feature.SIDE);
@@ -126,10 +127,10 @@ class JointTest {
     assertThat(naive.y).as("has not come back").isLessThan(4);
 
     World world = world(among(down, up).circle(0, 16, 2, 0, -1));
-    List<Play.Hit> hits = advance(world, 32);
-    assertThat(hits).extracting(Play.Hit::obstacle).containsExactly(0, 1);
+    List<Run.Row> hits = advance(world, 32);
+    assertThat(hits).extracting(Run.Row::obstacle).containsExactly(0, 1);
     double t = 16 - 2 * Math.sqrt(2);
-    for (Play.Hit hit : hits) {
+    for (Run.Row hit : hits) {
       assertThat(hit.time()).isCloseTo(t, within(1e-14));
       assertThat(hit.feature()).isEqualTo(Feature.SIDE);
       assertThat(hit.speed()).isCloseTo(Math.sqrt(0.5), within(1e-15));
@@ -155,7 +156,7 @@ class JointTest {
     assertThat(overlaps).as("a naive circle is turned round by each").isEqualTo(count);
 
     World world = world(among(fan).circle(0, 9, 1, 0, -1));
-    List<Play.Hit> hits = advance(world, 16);
+    List<Run.Row> hits = advance(world, 16);
     assertThat(hits).hasSize(1);
     assertThat(hits.get(0).time()).isEqualTo(8);
     assertThat(hits.get(0).feature()).isEqualTo(Feature.START);

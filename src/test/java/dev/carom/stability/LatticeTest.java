@@ -5,6 +5,7 @@ import static dev.carom.stability.Play.world;
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.within;
 
+import dev.carom.Run;
 import dev.carom.Scene;
 import dev.carom.SceneBuilder;
 import dev.carom.World;
@@ -29,7 +30,7 @@ class LatticeTest {
   @Test
   void atRestNothingHappens() {
     World world = world(square());
-    List<Play.State> before = Play.states(world);
+    List<Run.State> before = Run.states(world);
     int contacts = 0;
     for (int i = 0; i < SIDE * SIDE; i++) {
       for (int j = 0; j < i; j++) {
@@ -42,7 +43,7 @@ class LatticeTest {
     for (int frame = 1; frame <= 1000; frame++) {
       assertThat(Play.advance(world, frame)).isEmpty();
     }
-    assertThat(Play.states(world)).isEqualTo(before);
+    assertThat(Run.states(world)).isEqualTo(before);
   }
 
   /** A cue ball into fifteen in a triangle: momentum and energy are kept. */
@@ -56,10 +57,10 @@ class LatticeTest {
     }
     World world = world(builder);
     Play.finish(world, 20, 5);
-    List<Play.State> states = Play.states(world);
+    List<Run.State> states = Run.states(world);
     assertThat(states.stream().mapToDouble(s -> s.vx() * s.vx() + s.vy() * s.vy()).sum())
         .isCloseTo(25, within(1e-12));
-    assertThat(states.stream().mapToDouble(Play.State::vx).sum()).isCloseTo(5, within(1e-13));
-    assertThat(states.stream().mapToDouble(Play.State::vy).sum()).isCloseTo(0, within(1e-13));
+    assertThat(states.stream().mapToDouble(Run.State::vx).sum()).isCloseTo(5, within(1e-13));
+    assertThat(states.stream().mapToDouble(Run.State::vy).sum()).isCloseTo(0, within(1e-13));
   }
 }

@@ -11,6 +11,7 @@ import dev.carom.Circle;
 import dev.carom.Impact;
 import dev.carom.Line;
 import dev.carom.Resolver;
+import dev.carom.Run;
 import dev.carom.Scene;
 import dev.carom.SweptCircle;
 import dev.carom.SweptSphere;
@@ -53,7 +54,7 @@ class MagnitudeTest {
 
     World world = world(among(slope).circle(circle.x(), circle.y(), size, 0, -speed));
     double t = (5 - Math.sqrt(2)) * size / speed;
-    List<Play.Hit> hits = advance(world, Math.min(2 * t, Double.MAX_VALUE));
+    List<Run.Row> hits = advance(world, Math.min(2 * t, Double.MAX_VALUE));
     if (t > Double.MAX_VALUE) {
       assertThat(hits).as("beyond the last finite time").isEmpty();
       return;
@@ -70,7 +71,7 @@ class MagnitudeTest {
   @CsvSource({"1, 1e-300", "1, 1e150", "1e150, 1e150", "1e-150, 1e-150", "1e-290, 1", "1e300, 1e7"})
   void aPegSendsBack(double size, double speed) {
     World world = world(Scene.builder().peg(0, 0, size).circle(5 * size, 0, size, -speed, 0));
-    List<Play.Hit> hits = advance(world, 6 * (size / speed));
+    List<Run.Row> hits = advance(world, 6 * (size / speed));
     assertThat(hits).hasSize(1);
     assertThat(hits.get(0).time()).isCloseTo(3 * (size / speed), within(1e-15 * (size / speed)));
     assertThat(world.vx(0)).isEqualTo(speed);
@@ -111,7 +112,7 @@ class MagnitudeTest {
     assertThat(most - -most).as("the naive relative speed").isInfinite();
 
     World world = world(Scene.builder().circle(0, 0, 1, most, 0).circle(4, 0, 1, -most, 0));
-    List<Play.Hit> hits = advance(world, 1e-307);
+    List<Run.Row> hits = advance(world, 1e-307);
     assertThat(hits).hasSize(1);
     assertThat(hits.get(0).speed()).as("as documented").isInfinite();
     assertThat(world.vx(0)).isEqualTo(-most);

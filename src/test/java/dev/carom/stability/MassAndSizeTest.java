@@ -6,6 +6,7 @@ import static dev.carom.stability.Play.world;
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.within;
 
+import dev.carom.Run;
 import dev.carom.Scene;
 import dev.carom.SweptCircle;
 import dev.carom.Vec2;
@@ -58,7 +59,7 @@ class MassAndSizeTest {
 
     World world =
         world(Scene.builder().circle(0, 0, giant, 0, 0).mass(1e30).circle(x, y, grain, 0, -1));
-    List<Play.Hit> hits = advance(world, 1);
+    List<Run.Row> hits = advance(world, 1);
     assertThat(hits).hasSize(1);
     assertThat(hits.get(0).time()).isEqualTo(exact);
     assertThat(Play.speed(world, 1)).isCloseTo(1, within(1e-15));

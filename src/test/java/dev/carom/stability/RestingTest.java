@@ -8,6 +8,7 @@ import static org.assertj.core.api.Assertions.assertThat;
 
 import dev.carom.Circle;
 import dev.carom.Line;
+import dev.carom.Run;
 import dev.carom.SceneBuilder;
 import dev.carom.Vec2;
 import dev.carom.World;
@@ -76,8 +77,8 @@ class RestingTest {
   @Test
   void movingIntoOneOfTwoTouchedLinesTurnsRoundNow() {
     World world = world(corner(-1, 0));
-    List<Play.Hit> hits = advance(world, 5);
-    assertThat(hits).extracting(Play.Hit::obstacle).containsExactly(1);
+    List<Run.Row> hits = advance(world, 5);
+    assertThat(hits).extracting(Run.Row::obstacle).containsExactly(1);
     assertThat(hits.get(0).time()).isZero();
     assertState(world, 0, 7, 2, 1, 0);
   }
@@ -85,9 +86,9 @@ class RestingTest {
   @Test
   void movingIntoBothOfTwoTouchedLinesTurnsRoundNow() {
     World world = world(corner(-1, -2));
-    List<Play.Hit> hits = advance(world, 3);
-    assertThat(hits).extracting(Play.Hit::obstacle).containsExactly(0, 1);
-    assertThat(hits).extracting(Play.Hit::time).containsOnly(0.0);
+    List<Run.Row> hits = advance(world, 3);
+    assertThat(hits).extracting(Run.Row::obstacle).containsExactly(0, 1);
+    assertThat(hits).extracting(Run.Row::time).containsOnly(0.0);
     assertState(world, 0, 5, 8, 1, 2);
   }
 }

@@ -9,6 +9,7 @@ import static org.assertj.core.api.Assertions.within;
 
 import dev.carom.Circle;
 import dev.carom.Line;
+import dev.carom.Run;
 import dev.carom.Scene;
 import dev.carom.Vec2;
 import dev.carom.World;
@@ -87,7 +88,7 @@ class RestitutionTest {
     World world =
         world(
             among(left).restitution(2).line(10, -50, 10, 50).restitution(2).circle(1, 0, 1, 1, 0));
-    List<Play.Hit> hits = Play.finish(world, 100, 5);
+    List<Run.Row> hits = Play.finish(world, 100, 5);
     assertThat(hits.get(1).time()).isEqualTo(8 + 4);
     assertThat(hits.get(1).speed()).isEqualTo(2);
     assertThat(hits).hasSizeBetween(50, 4_000);

@@ -10,6 +10,7 @@ import dev.carom.Circle;
 import dev.carom.Energy;
 import dev.carom.Kind;
 import dev.carom.Line;
+import dev.carom.Run;
 import dev.carom.Scene;
 import dev.carom.SceneBuilder;
 import dev.carom.Vec2;
@@ -40,10 +41,10 @@ class SimultaneousTest {
                 .line(-5, 0, 5, 0)
                 .peg(-1, 1, 1)
                 .circle(5, 5, 1, -2, -2));
-    List<Play.Hit> hits = advance(world, 4);
-    assertThat(hits).extracting(Play.Hit::time).containsOnly(2.0);
+    List<Run.Row> hits = advance(world, 4);
+    assertThat(hits).extracting(Run.Row::time).containsOnly(2.0);
     assertThat(hits)
-        .extracting(Play.Hit::kind)
+        .extracting(Run.Row::kind)
         .as("no approach to the peg is left")
         .containsExactly(Kind.WALL, Kind.LINE);
     Play.assertState(world, 0, 5, 5, 2, 2);
@@ -56,7 +57,7 @@ class SimultaneousTest {
     Scene scene = ring(count, 10).build();
     World world = new World(scene);
     World again = new World(scene);
-    List<Play.Hit> hits = Play.finish(world, 100, 5);
+    List<Run.Row> hits = Play.finish(world, 100, 5);
     assertThat(Play.finish(again, 100, 5)).as("the same order").isEqualTo(hits);
     assertThat(hits).hasSizeGreaterThanOrEqualTo(count);
     assertThat(Energy.of(world)).isCloseTo(0.5 * count, within(1e-12));
@@ -76,8 +77,8 @@ class SimultaneousTest {
   }
 
   private static double momentum(World world) {
-    double px = Play.states(world).stream().mapToDouble(Play.State::vx).sum();
-    double py = Play.states(world).stream().mapToDouble(Play.State::vy).sum();
+    double px = Run.states(world).stream().mapToDouble(Run.State::vx).sum();
+    double py = Run.states(world).stream().mapToDouble(Run.State::vy).sum();
     return Math.hypot(px, py);
   }
 }

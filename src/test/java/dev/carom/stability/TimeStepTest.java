@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 package dev.carom.stability;
 
+import static dev.carom.Run.states;
 import static dev.carom.stability.Play.among;
-import static dev.carom.stability.Play.states;
 import static dev.carom.stability.Play.world;
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.assertThatIllegalArgumentException;
@@ -49,9 +49,9 @@ class TimeStepTest {
 
     World world = world(among(FLOOR).circle(0, 1, 1, 0, -1));
     world.step(0);
-    assertThat(Play.hits(world)).hasSize(1);
+    assertThat(Run.rows(world.impacts())).hasSize(1);
     world.step(0);
-    assertThat(Play.hits(world)).isEmpty();
+    assertThat(Run.rows(world.impacts())).isEmpty();
     Play.assertState(world, 0, 0, 1, 0, 1);
   }
 
@@ -96,7 +96,7 @@ class TimeStepTest {
   void otherStepsAreRefusedAndChangeNothing(double dt) {
     World world = world(falling());
     world.step(3);
-    List<Play.State> before = states(world);
+    List<Run.State> before = states(world);
     assertThatIllegalArgumentException()
         .isThrownBy(() -> world.step(dt))
         .withMessageContaining("dt is " + dt)
