@@ -82,17 +82,11 @@ class NullTest {
         call("kind", () -> WORLD.overlapping(null, new Bounds(0, 0, 1, 1))),
         call("disk", () -> WORLD.overlapping(Kind.LINE, (Circle) null)),
         call("box", () -> WORLD.overlapping(Kind.CIRCLE, (Bounds) null)),
-        call("kind", () -> EMPTY.traits(null, 0).restitution()),
-        call("kind", () -> EMPTY.traits(null, 0).response()),
-        call("kind", () -> WORLD.traits(null, 0).restitution()),
-        call("kind", () -> WORLD.traits(null, 0).response()),
-        call("kind", () -> WORLD.setTraits(null, 0, WORLD.traits(null, 0).withRestitution(1))),
-        call(
-            "kind",
-            () -> WORLD.setTraits(null, 0, WORLD.traits(null, 0).withResponse(Response.HALT))),
-        call(
-            "response",
-            () -> BOX.setTraits(Kind.WALL, 0, BOX.traits(Kind.WALL, 0).withResponse(null))),
+        call("kind", () -> EMPTY.traits(null, 0)),
+        call("kind", () -> WORLD.traits(null, 0)),
+        call("kind", () -> WORLD.setTraits(null, 0, Traits.DEFAULT)),
+        call("traits", () -> BOX.setTraits(Kind.WALL, 0, null)),
+        call("response", () -> Traits.DEFAULT.withResponse(null)),
         call("kind", () -> WORLD.remove(null, 0)),
         call("snapshot", () -> WORLD.restore(null)));
   }

@@ -69,12 +69,16 @@ class TraitsTest {
 
   @Test
   void restitutionAndMassAreChecked() {
-    assertThatIllegalArgumentException()
-        .isThrownBy(() -> HALF.withRestitution(-1))
-        .withMessage("restitution is -1.0: expected a finite number, at least 0");
-    assertThatIllegalArgumentException()
-        .isThrownBy(() -> HALF.withMass(0))
-        .withMessage("mass is 0.0: expected a number from 2^-500 to 2^500, or infinity");
+    for (double bad : new double[] {-1, Double.NaN, Double.POSITIVE_INFINITY}) {
+      refused(
+          "restitution is " + bad + ": expected a finite number, at least 0",
+          () -> HALF.withRestitution(bad));
+    }
+    for (double bad : new double[] {0, -1, Double.NaN}) {
+      refused(
+          "mass is " + bad + ": expected a number from 2^-500 to 2^500, or infinity",
+          () -> HALF.withMass(bad));
+    }
   }
 
   @Test
