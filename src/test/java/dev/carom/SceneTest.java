@@ -107,16 +107,11 @@ class SceneTest {
     return Stream.of(
         lookup("circle", i -> scene.shape(Kind.CIRCLE, i)),
         lookup("circle", i -> scene.velocity(Kind.CIRCLE, i)),
-        lookup("circle", i -> scene.traits(Kind.CIRCLE, i).mass()),
-        lookup("circle", i -> scene.traits(Kind.CIRCLE, i).restitution()),
-        lookup("circle", i -> scene.traits(Kind.CIRCLE, i).response()),
+        lookup("circle", i -> scene.traits(Kind.CIRCLE, i)),
         lookup("line", i -> scene.shape(Kind.LINE, i)),
-        lookup("line", i -> scene.traits(Kind.LINE, i).restitution()),
-        lookup("line", i -> scene.traits(Kind.LINE, i).response()),
-        lookup("line", i -> scene.traits(Kind.LINE, i).oneWay()),
+        lookup("line", i -> scene.traits(Kind.LINE, i)),
         lookup("peg", i -> scene.shape(Kind.PEG, i)),
-        lookup("peg", i -> scene.traits(Kind.PEG, i).restitution()),
-        lookup("peg", i -> scene.traits(Kind.PEG, i).response()));
+        lookup("peg", i -> scene.traits(Kind.PEG, i)));
   }
 
   private static Arguments lookup(String kind, IntFunction<?> get) {

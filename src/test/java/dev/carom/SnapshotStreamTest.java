@@ -235,13 +235,12 @@ class SnapshotStreamTest {
     World other = new World(world.scene());
     other.restore(SnapshotBytes.copy(world.snapshot()));
     assertThat(other.snapshot()).isEqualTo(world.snapshot());
-    assertThat(other.traits(Kind.WALL, 3).filter().category()).isEqualTo(7);
-    assertThat(other.traits(Kind.WALL, 3).filter().mask()).isEqualTo(6);
-    assertThat(other.traits(Kind.LINE, 0).filter().category()).isEqualTo(1);
-    assertThat(other.traits(Kind.LINE, 1).filter().category()).isEqualTo(2);
-    assertThat(other.traits(Kind.PEG, 0).filter().mask()).isEqualTo(-1);
-    assertThat(other.traits(Kind.CIRCLE, 0).filter().mask()).isEqualTo(4);
-    assertThat(other.traits(Kind.CIRCLE, 1).filter().mask()).isEqualTo(-1);
+    assertThat(other.traits(Kind.WALL, 3).filter()).isEqualTo(new Filter(7, 6));
+    assertThat(other.traits(Kind.LINE, 0).filter()).isEqualTo(Filter.DEFAULT);
+    assertThat(other.traits(Kind.LINE, 1).filter()).isEqualTo(new Filter(2, -1));
+    assertThat(other.traits(Kind.PEG, 0).filter()).isEqualTo(Filter.DEFAULT);
+    assertThat(other.traits(Kind.CIRCLE, 0).filter()).isEqualTo(new Filter(1, 4));
+    assertThat(other.traits(Kind.CIRCLE, 1).filter()).isEqualTo(Filter.DEFAULT);
   }
 
   @Test
