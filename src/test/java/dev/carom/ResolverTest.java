@@ -27,28 +27,6 @@ class ResolverTest {
     assertThat(resolver.cast(new SweptCircle(circle, DOWN), FOREVER).orElseThrow().time())
         .isEqualTo(9);
     assertThat(resolver.cast(new SweptCircle(circle, new Vec2(0, 1)), FOREVER)).isEmpty();
-    World world = new World(Scene.builder().line(-100, 0, 100, 0).build());
-    assertThat(world.cast(new SweptCircle(circle, DOWN), FOREVER).orElseThrow().time())
-        .isEqualTo(9);
-    assertThat(world.cast(new SweptCircle(circle, new Vec2(0, 1)), FOREVER)).isEmpty();
-  }
-
-  @Test
-  void endpointsStandAmongThePegs() {
-    Circle end = new Circle(0, 0, 0);
-    Resolver resolver = Resolver.of(List.of(new Circle(0, 90, 1), end));
-    Impact impact = resolver.cast(new SweptCircle(new Circle(0, 10, 1), DOWN), 100).orElseThrow();
-    assertThat(impact.kind()).isEqualTo(Kind.PEG);
-    assertThat(impact.id()).isEqualTo(1);
-  }
-
-  @Test
-  void thereIsOneBounds() {
-    Bounds box = new Bounds(0, 0, 1, 1);
-    assertThatIllegalArgumentException()
-        .isThrownBy(() -> Resolver.of(List.of(box, box)))
-        .withMessageContaining("a second Bounds")
-        .withMessageContaining("expected one");
   }
 
   @Test
@@ -61,6 +39,8 @@ class ResolverTest {
     assertThat(way.impacts()).hasSize(Questions.IMPACTS_PER_TRACE);
     assertThat(way.duration()).isEqualTo(Questions.IMPACTS_PER_TRACE);
     assertThat(way.end()).isEqualTo(new Vec2(1, 1.5));
+    SweptCircle circle = new SweptCircle(1, 1.5, 1, 1, 0);
+    assertThat(resolver.trace(circle, 1, 1e3, Integer.MAX_VALUE).complete()).isTrue();
   }
 
   /** From 2^55 radii the rounded centre can be anywhere in the peg: its own, or beyond. */

@@ -19,18 +19,6 @@ class ResolverWayTest {
   private static final List<Obstacle> ALL = List.of(LINE, END, ROOM, PEG);
   private static final Resolver RESOLVER = Resolver.of(ALL);
 
-  /** At 95, 5, 95 and so on, after 15 and each 30 more. */
-  @Test
-  void aTraceEndsAtItsImpactOfAGivenNumber() {
-    Trajectory path =
-        Resolver.of(List.of(ROOM)).trace(new SweptCircle(CIRCLE, new Vec2(3, 0)), 1, 1000, 3);
-    assertThat(path.impacts()).extracting(Impact::time).containsExactly(15.0, 45.0, 75.0);
-    assertThat(path.impacts()).extracting(Impact::id).containsExactly(1, 0, 1);
-    assertThat(path.duration()).isEqualTo(75);
-    assertThat(path.complete()).isTrue();
-    assertThat(path.end()).isEqualTo(new Vec2(95, 50));
-  }
-
   @Test
   void aTraceEndsAtItsTime() {
     Trajectory path =
@@ -40,26 +28,6 @@ class ResolverWayTest {
     assertThat(path.duration()).isEqualTo(45);
     assertThat(path.complete()).isTrue();
     assertThat(path.end()).isEqualTo(new Vec2(50, 50));
-  }
-
-  /** A millionth of room: an impact every millionth of a time. */
-  @Test
-  void aTraceOfTooManyImpactsIsNotComplete() {
-    Resolver narrow = Resolver.of(List.of(new Bounds(0, 0, 2 + 0x1p-20, 9)));
-    Trajectory path =
-        narrow.trace(new SweptCircle(new Circle(1, 4, 1), new Vec2(1, 0)), 1, 1, Integer.MAX_VALUE);
-    assertThat(path.complete()).isFalse();
-    assertThat(path.impacts()).hasSize(Questions.IMPACTS_PER_TRACE);
-    assertThat(path.duration()).isEqualTo(Questions.IMPACTS_PER_TRACE * 0x1p-20);
-    assertThat(
-            narrow
-                .trace(
-                    new SweptCircle(new Circle(1, 4, 1), new Vec2(1, 0)),
-                    1,
-                    0.01,
-                    Integer.MAX_VALUE)
-                .complete())
-        .isTrue();
   }
 
   private static Obstacle hit(Vec2 v, double maxTime) {
@@ -167,14 +135,6 @@ class ResolverWayTest {
     }
   }
 
-  @Test
-  void reflects() {
-    assertThat(new Vec2(3, -4).reflect(new Vec2(0, 2), 0.5)).isEqualTo(new Vec2(3, 2));
-    assertThat(new Vec2(3, -4).reflect(new Vec2(-1, 1), 1)).isEqualTo(new Vec2(-4, 3));
-    assertThat(new Vec2(3, 4).reflect(new Vec2(0, 2), 0.5)).isEqualTo(new Vec2(3, 4));
-    assertThat(new Vec2(3, 0).reflect(new Vec2(0, 2), 0.5)).isEqualTo(new Vec2(3, 0));
-  }
-
   @ParameterizedTest
   @ValueSource(doubles = {-1, Double.NaN, Double.POSITIVE_INFINITY})
   void refusesWhatIsOutOfRange(double bad) {
@@ -195,8 +155,9 @@ class ResolverWayTest {
         () -> RESOLVER.trace(new SweptCircle(CIRCLE, Vec2.ZERO), 1, 1, -1),
         "impacts is -1: expected at least 0");
     refused(() -> RESOLVER.cast(new SweptCircle(CIRCLE, Vec2.ZERO), -1), "maxTime is -1");
-    refused(() -> new Vec2(1, 0).reflect(Vec2.ZERO, 1), "normal");
-    refused(() -> Resolver.of(List.of(ROOM, new Bounds(1, 2, 3, 4))), "second");
+    refused(() -> RESOLVER.nearest(Double.NaN, 0), "x is NaN");
+    refused(() -> RESOLVER.nearest(0, Double.NaN), "y is NaN");
+    refused(() -> Resolver.of(List.of(ROOM, new Bounds(1, 2, 3, 4))), "a second Bounds");
   }
 
   private static void refused(Runnable call, String message) {
