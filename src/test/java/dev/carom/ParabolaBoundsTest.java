@@ -17,6 +17,7 @@ import dev.carom.oracle.ParabolaFamilies;
 import dev.carom.oracle.ParabolaFamily;
 import dev.carom.oracle.ParabolaNextFamilies;
 import dev.carom.oracle.ParabolaQuery;
+import dev.carom.oracle.Query;
 import dev.carom.oracle.SegmentQuery;
 import java.lang.invoke.MethodHandle;
 import java.lang.invoke.MethodHandles;
@@ -190,69 +191,30 @@ class ParabolaBoundsTest {
     assertThat(mistakes).isPositive();
   }
 
-  // Queries that a search answered wrongly once one of its bounds was left out.
-
-  /** Time to the fourth power lifts underflow above all bounds. */
-  @Test
-  void lateTimesAreTrue() {
-    double[] n = {
-      0x1.0de6b71c010edp7,
-      0x1.bbb5de00016c4p6,
-      0x1.f8p6,
-      0x1.d8ca471ff7896p-370,
-      -0x1.f6d7780005b1p-370,
-      -0x1.4cp6,
-      0x1.1cp6,
-      0x1.f8p6,
-      -0x1.2p-372,
-      -0x1.0p-375,
-      0x1.0p375
-    };
-    ParabolaQuery query =
-        new ParabolaQuery(PairQuery.of(n), -0x1.1065238ffbc4bp-744, 0x1.5ed7780005b1p-745);
-    assertTrue(query);
-  }
-
-  /** A strip so thin that all is lost to underflow. */
-  @Test
-  void leastSizesAreTrue() {
-    double[] n = {
-      0,
-      0,
-      -0x1.0p-143,
-      0x1.2p-142,
-      -0x1.f5ap-133,
-      -0x1.028853829d706p-135,
-      0x1.a78p-136,
-      0x1.cp-143,
-      0x1.1544528450d47p-143,
-      0x1.93e5939a08ceap99
-    };
-    ParabolaQuery query = new ParabolaQuery(SegmentQuery.of(n), 0, -0x1.cfd4c9ff570a4p-153);
-    assertTrue(query);
-  }
-
-  /**
-   * A disk that seems to be in the strip, beyond an end, is above it, and gravity takes it over the
-   * end before it comes down on the side. Both gaps are as large as rounding may hide.
-   */
-  @Test
-  void strongGravityBesideAnEndIsTrue() {
-    double[] n = {
-      0,
-      0,
-      0x1.96cf7ceea1719p1,
-      0x1.08351117f3bedp-4,
-      -0x1.160edb7657318p-5,
-      0x1.ac12c320cdd18p0,
-      0x1.ac295632ea9ebp0,
-      0x1.4c748a7842193p-6,
-      -0x1.ffe503622a4f3p-1,
-      0x1.471e3d3857283p-45
-    };
-    ParabolaQuery query =
-        new ParabolaQuery(SegmentQuery.of(n), 0x1.9f4dade20fb1bp92, 0x1.0db91e2641b38p87);
-    assertTrue(query);
+  /** What a search answered wrongly once one of its bounds was left out: of disks, of a line. */
+  @ParameterizedTest(name = "{0}")
+  @CsvSource(
+      delimiter = '|',
+      value = {
+        "time to the fourth power lifts underflow above all bounds | 0x1.0de6b71c010edp7 "
+            + "0x1.bbb5de00016c4p6 0x1.f8p6 0x1.d8ca471ff7896p-370 -0x1.f6d7780005b1p-370 "
+            + "-0x1.4cp6 0x1.1cp6 0x1.f8p6 -0x1.2p-372 -0x1.0p-375 0x1.0p375 "
+            + "-0x1.1065238ffbc4bp-744 0x1.5ed7780005b1p-745",
+        "a strip so thin that all is lost to underflow | 0 0 -0x1.0p-143 0x1.2p-142 "
+            + "-0x1.f5ap-133 -0x1.028853829d706p-135 0x1.a78p-136 0x1.cp-143 "
+            + "0x1.1544528450d47p-143 0x1.93e5939a08ceap99 0 -0x1.cfd4c9ff570a4p-153",
+        "taken over an end by gravity, both gaps within rounding | "
+            + "0 0 0x1.96cf7ceea1719p1 0x1.08351117f3bedp-4 -0x1.160edb7657318p-5 "
+            + "0x1.ac12c320cdd18p0 0x1.ac295632ea9ebp0 0x1.4c748a7842193p-6 -0x1.ffe503622a4f3p-1 "
+            + "0x1.471e3d3857283p-45 0x1.9f4dade20fb1bp92 0x1.0db91e2641b38p87"
+      })
+  void whatOnceWasWrongIsTrue(String what, String numbers) {
+    double[] all = Stream.of(numbers.split(" ")).mapToDouble(Double::parseDouble).toArray();
+    int size = all.length - 2;
+    double[] n = Arrays.copyOf(all, size);
+    Query straight = size == 11 ? PairQuery.of(n) : SegmentQuery.of(n);
+    ParabolaQuery query = new ParabolaQuery(straight, all[size], all[size + 1]);
+    assertThat(Detector.whole().ask(query)).isEqualTo(exact(query));
   }
 
   /**
@@ -277,10 +239,6 @@ class ParabolaBoundsTest {
     assertNeeded(query, detector("DirectHit", 0x1p-18, 0));
   }
 
-  private static void assertTrue(ParabolaQuery query) {
-    assertThat(Detector.whole().ask(query)).isEqualTo(exact(query));
-  }
-
   private static void assertNeeded(ParabolaQuery query, Detector without) {
     assertThat(Detector.whole().ask(query)).isEqualTo(exact(query));
     assertThat(without.ask(query)).isNotEqualTo(exact(query));
@@ -300,7 +258,6 @@ class ParabolaBoundsTest {
         .toList();
   }
 
-  /** A disk against a line, in the order of the sweep: velocity 0 for a line at rest. */
   /** The last rung alone. */
   private static Reply exact(ParabolaQuery query) {
     double[] n = query.straight().numbers();
