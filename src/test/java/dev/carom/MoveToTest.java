@@ -18,10 +18,6 @@ class MoveToTest {
 
   private static final double DT = 1 / 60.0;
 
-  private static void finish(World world, double t) {
-    world.advanceTo(t);
-  }
-
   private static Vec2 place(World world, Kind kind, int id) {
     return kind == Kind.LINE ? world.line(id).start() : world.peg(id).center();
   }
@@ -42,11 +38,11 @@ class MoveToTest {
       double y = random.nextGaussian();
       double arrival = world.now() + random.nextDouble();
       world.moveTo(kind, 0, x, y, arrival);
-      finish(world, world.now() + random.nextDouble() * (arrival - world.now()));
-      finish(world, arrival);
+      world.advanceTo(world.now() + random.nextDouble() * (arrival - world.now()));
+      world.advanceTo(arrival);
       assertThat(place(world, kind, 0)).isEqualTo(new Vec2(x, y));
       assertThat(world.velocity(kind, 0)).isEqualTo(Vec2.ZERO);
-      finish(world, arrival + random.nextDouble());
+      world.advanceTo(arrival + random.nextDouble());
       assertThat(place(world, kind, 0)).isEqualTo(new Vec2(x, y));
       assertThat(world.velocity(kind, 0)).isEqualTo(Vec2.ZERO);
     }
@@ -71,7 +67,7 @@ class MoveToTest {
       double bound = 0x1p-52 * way + 0x1p-53 * Math.abs(before.ax());
       assertThat(step).isLessThanOrEqualTo(bound);
       most = Math.max(most, step / bound);
-      finish(world, world.now() + random.nextDouble() * (arrival - world.now()));
+      world.advanceTo(world.now() + random.nextDouble() * (arrival - world.now()));
     }
     assertThat(most).isGreaterThan(0.3); // the bound is not idle
   }
@@ -80,9 +76,9 @@ class MoveToTest {
   void bothEndsOfALineMoveAlike() {
     World world = new World(Scene.builder().line(1, 2, 5, 7).build());
     world.moveTo(Kind.LINE, 0, 11, 22, 10);
-    finish(world, 5);
+    world.advanceTo(5);
     assertThat(world.line(0)).isEqualTo(new Line(6, 12, 10, 17));
-    finish(world, 20);
+    world.advanceTo(20);
     assertThat(world.line(0)).isEqualTo(new Line(11, 22, 15, 27));
   }
 
@@ -90,22 +86,22 @@ class MoveToTest {
   void anotherEditReplacesTheMotion() {
     World world = new World(Scene.builder().peg(0, 0, 1).build());
     world.moveTo(Kind.PEG, 0, 10, 0, 10);
-    finish(world, 5);
+    world.advanceTo(5);
     world.moveTo(Kind.PEG, 0, 5, 10, 7);
-    finish(world, 6);
+    world.advanceTo(6);
     assertThat(world.peg(0).center()).isEqualTo(new Vec2(5, 5));
     world.setVelocity(Kind.PEG, 0, 1, 0);
-    finish(world, 16); // past both arrivals
+    world.advanceTo(16); // past both arrivals
     assertThat(world.peg(0).center()).isEqualTo(new Vec2(15, 5));
     world.moveTo(Kind.PEG, 0, 20, 5, 20);
     world.setShape(Kind.PEG, 0, new Circle(1, 1, 1));
     assertThat(world.velocity(Kind.PEG, 0)).isEqualTo(Vec2.ZERO);
-    finish(world, 30);
+    world.advanceTo(30);
     assertThat(world.peg(0).center()).isEqualTo(new Vec2(1, 1));
     world.moveTo(Kind.PEG, 0, 5, 1, 32);
-    finish(world, 31);
+    world.advanceTo(31);
     world.remove(Kind.PEG, 0);
-    finish(world, 40);
+    world.advanceTo(40);
     assertThat(world.contains(Kind.PEG, 0)).isFalse();
   }
 
@@ -113,11 +109,11 @@ class MoveToTest {
   void theMotionThatItHasAlreadyIsNoEdit() {
     World world = new World(paddle().circle(10, 0.3, 1, -0.1, 0.01).build());
     world.moveTo(Kind.LINE, 0, 6, -10, 3);
-    finish(world, 1);
+    world.advanceTo(1);
     Snapshot before = world.snapshot();
     world.moveTo(Kind.LINE, 0, 6, -10, 3);
     assertThat(world.snapshot()).isEqualTo(before);
-    finish(world, 4);
+    world.advanceTo(4);
     before = world.snapshot();
     world.moveTo(Kind.LINE, 0, 6, -10, 7);
     assertThat(world.snapshot()).isEqualTo(before);
@@ -140,7 +136,7 @@ class MoveToTest {
   void aBallInFrontLeavesWithTwiceTheVelocity(boolean collide) {
     World world = new World(paddle().circle(5, 0, 1, 0, 0).collide(collide).build());
     world.moveTo(Kind.LINE, 0, 8, -10, 4);
-    finish(world, 10);
+    world.advanceTo(10);
     assertThat(world.impacts().size()).isEqualTo(1);
     assertThat(world.impacts().time(0)).isEqualTo(2);
     assertThat(world.vx(0)).isEqualTo(4);
@@ -152,11 +148,11 @@ class MoveToTest {
   void beyondItsArrivalItPushesNothing(boolean collide) {
     World world = new World(paddle().circle(5, 0, 1, 0, 0).collide(collide).build());
     world.moveTo(Kind.LINE, 0, 3.9, -10, 4);
-    finish(world, 100);
+    world.advanceTo(100);
     assertThat(world.impacts().size()).isZero();
     assertThat(world.x(0)).isEqualTo(5);
     world.setVelocity(0, -1, 0);
-    finish(world, 110);
+    world.advanceTo(110);
     assertThat(world.impacts().time(0)).isCloseTo(100.1, within(1e-12));
     assertThat(world.vx(0)).isEqualTo(1);
   }
@@ -167,7 +163,7 @@ class MoveToTest {
   void aBallBehindHitsThePaddleAtRest(boolean collide) {
     World world = new World(paddle().circle(-2, 0, 1, 1, 0).collide(collide).build());
     world.moveTo(Kind.LINE, 0, 4, -10, 4);
-    finish(world, 10);
+    world.advanceTo(10);
     assertThat(world.impacts().size()).isEqualTo(1);
     assertThat(world.impacts().time(0)).isEqualTo(5);
     assertThat(world.vx(0)).isEqualTo(-1);
@@ -179,7 +175,7 @@ class MoveToTest {
   void aBallInTouchHitsThePaddleAsItStops(boolean collide) {
     World world = new World(paddle().circle(-1, 0, 1, 1, 0).collide(collide).build());
     world.moveTo(Kind.LINE, 0, 4, -10, 4);
-    finish(world, 10);
+    world.advanceTo(10);
     assertThat(world.impacts().time(world.impacts().size() - 1)).isEqualTo(4);
     assertThat(world.vx(0)).isEqualTo(-1);
     assertThat(world.x(0)).isEqualTo(-3);
@@ -191,9 +187,9 @@ class MoveToTest {
   void aBallThatComesAtTheArrivalIsNotPushed(boolean collide) {
     World world = new World(paddle().circle(50, 0, 1, 0, 0).collide(collide).build());
     world.moveTo(Kind.LINE, 0, 4, -10, 4);
-    finish(world, 4);
+    world.advanceTo(4);
     int ball = world.addCircle(5, 0, 1, 0, 0, Traits.DEFAULT);
-    finish(world, 5);
+    world.advanceTo(5);
     assertThat(world.impacts().size()).isZero();
     assertThat(world.vx(ball)).isZero();
   }
@@ -219,9 +215,9 @@ class MoveToTest {
       double y = 40 * Math.sin(0.25 * frame);
       if (pushes) {
         world.moveTo(Kind.LINE, 0, -10, y, frame * DT);
-        finish(world, frame * DT);
+        world.advanceTo(frame * DT);
       } else {
-        finish(world, frame * DT);
+        world.advanceTo(frame * DT);
         world.setShape(Kind.LINE, 0, new Line(-10, y, 3010, y));
       }
     }
@@ -281,7 +277,7 @@ class MoveToTest {
       if (way == 3) {
         played.advanceToImpact(end);
       } else {
-        finish(played, next);
+        played.advanceTo(next);
       }
       if (way == 4) {
         Snapshot saved = played.snapshot();
@@ -289,7 +285,7 @@ class MoveToTest {
         played.restore(saved);
       }
     }
-    finish(played, end);
+    played.advanceTo(end);
     return played;
   }
 
@@ -310,7 +306,7 @@ class MoveToTest {
       }
       lines.add(world.line(0));
       places.add(world.x(2));
-      finish(world, (frame + 1) / 10.0);
+      world.advanceTo((frame + 1) / 10.0);
     }
     for (int frame = 60; frame >= 0; frame--) {
       assertThat(past.shape(Kind.LINE, 0, frame / 10.0)).isEqualTo(lines.get(frame));
@@ -318,7 +314,7 @@ class MoveToTest {
     }
     World again = new World(world.scene());
     again.restore(past.snapshot(5.35)); // on the way to the arrival at 5.7
-    finish(again, 5.95);
+    again.advanceTo(5.95);
     World straight = new World(world.scene());
     straight.restore(past.snapshot(5.95));
     assertThat(again.snapshot()).isEqualTo(straight.snapshot());
@@ -339,7 +335,7 @@ class MoveToTest {
       if (frame == 600) {
         world.moveTo(Kind.LINE, 0, -1, 2.5 * speed, world.now() + 2.5);
       }
-      finish(world, frame * DT);
+      world.advanceTo(frame * DT);
       double floor = world.line(0).ay();
       for (int i = 0; i < 10; i++) {
         assertThat(world.y(i)).isGreaterThan(floor + 0.5 - 1e-9);
@@ -365,7 +361,7 @@ class MoveToTest {
     assertThat(atRest.point()).isEqualTo(new Vec2(4, 0));
     assertThat(world.cast(new SweptCircle(ball, new Vec2(-1, 0)), 14)).isEmpty();
     assertThat(world.cast(new SweptCircle(new Circle(4, 0, 1), new Vec2(20, 0)), 100)).isEmpty();
-    finish(world, 4);
+    world.advanceTo(4);
     assertThat(world.cast(new SweptCircle(ball, new Vec2(-1, 0)), 100).orElseThrow().time())
         .isEqualTo(15);
     Casts casts = new Casts();
@@ -374,7 +370,7 @@ class MoveToTest {
     world.cast(casts, 100);
     assertThat(casts.time(0)).isEqualTo(15);
     assertThat(casts.time(1)).isEqualTo(23);
-    finish(world, 5);
+    world.advanceTo(5);
     world.cast(casts, 100);
     assertThat(casts.time(0)).isEqualTo(15);
     assertThat(world.velocity(Kind.LINE, 0)).isEqualTo(Vec2.ZERO);
@@ -395,7 +391,7 @@ class MoveToTest {
       world.moveTo(Kind.LINE, 1, -20, -6 * random.nextDouble(), 1 + 2 * random.nextDouble());
       Trajectory path = world.trace(0, v.x(), v.y(), 5, 1000);
       for (int k = 1; k <= 50; k++) {
-        finish(world, k / 10.0);
+        world.advanceTo(k / 10.0);
         assertThat(path.at(k / 10.0).x()).as("%s at %s", i, k).isCloseTo(world.x(0), within(1e-9));
         assertThat(path.at(k / 10.0).y()).as("%s at %s", i, k).isCloseTo(world.y(0), within(1e-9));
       }

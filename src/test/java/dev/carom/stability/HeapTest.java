@@ -85,17 +85,15 @@ class HeapTest {
     assertThat(height).isLessThan(count == 60 ? 15 : 26);
   }
 
+  private static World onTwoPegs(double apart, double x, double y) {
+    SceneBuilder scene = Scene.builder().peg(0, 0, 1).peg(apart, 0, 1);
+    return new World(scene.circle(x, y, 1, 0, 0).restitution(0).build());
+  }
+
   /** It falls on one peg, then on the other, and both act at once: three rows a frame. */
   @Test
   void aBallWithoutBounceLiesOnTwoPegs() {
-    World world =
-        new World(
-            Scene.builder()
-                .peg(0, 0, 1)
-                .peg(3, 0, 1)
-                .circle(1.5, 1.4, 1, 0, 0)
-                .restitution(0)
-                .build());
+    World world = onTwoPegs(3, 1.5, 1.4);
     assertThat(play(world, 300, 0)).isLessThanOrEqualTo(3);
     assertThat(Math.hypot(world.x(0), world.y(0))).isBetween(2 - 1e-12, 2 + 1e-12);
     assertThat(world.vy(0)).isZero();
@@ -104,14 +102,7 @@ class HeapTest {
   /** It slides into a gap of exactly its diameter, from peg to peg, until it touches both. */
   @Test
   void aBallWithoutBounceComesToAGapOfItsDiameter() {
-    World world =
-        new World(
-            Scene.builder()
-                .peg(0, 0, 1)
-                .peg(4, 0, 1)
-                .circle(1.9, 3, 1, 0, 0)
-                .restitution(0)
-                .build());
+    World world = onTwoPegs(4, 1.9, 3);
     assertThat(play(world, 11, 0)).isLessThanOrEqualTo(20);
     assertThat(world.x(0)).isCloseTo(2, within(1e-13));
     assertThat(world.y(0)).isBetween(0.0, 1e-6);

@@ -14,6 +14,18 @@ import org.junit.jupiter.params.provider.CsvSource;
 /** The time of a side does not depend on where its refinement begins. */
 class SideSweepTest {
 
+  private static final double NEVER = Double.POSITIVE_INFINITY;
+
+  /** Of px, py, vx, vy, ax, ay, bx and by. */
+  private static double time(int side, double r, double... n) {
+    return SideSweep.time(side, n[0], n[1], r, n[2], n[3], n[4], n[5], n[6], n[7], 0, 0, NEVER);
+  }
+
+  private static double refined(int side, double rough, double r, double... n) {
+    return SideSweep.refined(
+        side, n[0], n[1], r, n[2], n[3], n[4], n[5], n[6], n[7], 0, 0, rough, NEVER);
+  }
+
   @Test
   void isTheSameFromAnyRoughTime() {
     SplittableRandom random = new SplittableRandom(8);
@@ -26,41 +38,10 @@ class SideSweepTest {
       if (contact == Contact.LEFT || contact == Contact.RIGHT) {
         met++;
         int side = contact == Contact.LEFT ? 1 : -1;
-        double time =
-            SideSweep.time(
-                side,
-                n[0],
-                n[1],
-                r,
-                n[2],
-                n[3],
-                n[4],
-                n[5],
-                n[6],
-                n[7],
-                0,
-                0,
-                Double.POSITIVE_INFINITY);
+        double time = time(side, r, n);
         for (double error : new double[] {0, 0x1p-52, -0x1p-40, 0x1p-28, -0x1p-10, 1, -1}) {
           double rough = time * (1 + error);
-          assertThat(
-                  SideSweep.refined(
-                      side,
-                      n[0],
-                      n[1],
-                      r,
-                      n[2],
-                      n[3],
-                      n[4],
-                      n[5],
-                      n[6],
-                      n[7],
-                      0,
-                      0,
-                      rough,
-                      Double.POSITIVE_INFINITY))
-              .as("query %d from %s", i, rough)
-              .isEqualTo(time);
+          assertThat(refined(side, rough, r, n)).as("query %d from %s", i, rough).isEqualTo(time);
         }
       }
     }
