@@ -18,6 +18,9 @@ import org.jfree.data.xy.DefaultXYDataset;
 /** Axes and a grid that JFreeChart has drawn, and where values lie between them, in pixels. */
 final class Axes {
 
+  /** The width of the strip where an axis is broken. */
+  private static final double CUT = 4;
+
   private final XYPlot plot;
   private final Rectangle2D area;
 
@@ -39,7 +42,11 @@ final class Axes {
     ChartRenderingInfo info = new ChartRenderingInfo();
     chart.draw(g, where, info);
     Style.smooth(g);
-    return new Axes(plot, info.getPlotInfo().getDataArea());
+    Axes axes = new Axes(plot, info.getPlotInfo().getDataArea());
+    if (y instanceof DecadeAxis decades && !Double.isNaN(decades.breakAt())) {
+      axes.cut(g, decades.breakAt());
+    }
+    return axes;
   }
 
   Rectangle2D area() {
@@ -55,6 +62,20 @@ final class Axes {
     ValueAxis axis = plot.getRangeAxis();
     double shown = Math.max(axis.getLowerBound(), Math.min(axis.getUpperBound(), value));
     return axis.valueToJava2D(shown, area, plot.getRangeAxisEdge());
+  }
+
+  /**
+   * Shows that the axis is broken at a height: a strip of paper through it and through the floor.
+   */
+  private void cut(Graphics2D g, double value) {
+    double left = area.getMinX() - CUT;
+    g.setColor(Style.PAPER);
+    g.fill(new Rectangle2D.Double(left, y(value) - CUT / 2, area.getMaxX() - left, CUT));
+    g.setColor(Style.QUIET);
+    g.setStroke(Style.line(Style.HAIR));
+    for (double y = y(value) - CUT / 2; y <= y(value) + CUT; y += CUT) {
+      g.draw(new Line2D.Double(left, y + 2, area.getMinX() + CUT, y - 2));
+    }
   }
 
   /** A line at one height through the whole area. */

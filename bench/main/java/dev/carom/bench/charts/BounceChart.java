@@ -9,8 +9,7 @@ import java.util.List;
 /** Errors of a quantity that should not change, against bounces, both axes logarithmic. */
 public final class BounceChart {
 
-  private static final int WIDTH = 640;
-  private static final int HEIGHT = 340;
+  private static final int HEIGHT = 360;
   private static final double NAMES = 150;
 
   private final String description;
@@ -30,19 +29,22 @@ public final class BounceChart {
     this.curves = List.copyOf(curves);
   }
 
-  /** Draws it. */
-  public List<Panel> panels() {
-    String title = "Energy error, as a part of the energy";
-    return List.of(new Panel(title, new Picture(WIDTH, HEIGHT, description, this::draw)));
+  /**
+   * Draws it.
+   *
+   * @param width {@link Picture#WIDE} or {@link Picture#PANEL}
+   */
+  public Picture picture(int width) {
+    return new Picture(width, HEIGHT, description, g -> draw(g, width));
   }
 
-  private void draw(Graphics2D g) {
+  private void draw(Graphics2D g, int width) {
     DecadeAxis bounces =
         DecadeAxis.covering(
             curves.stream().flatMapToDouble(c -> Arrays.stream(c.x())), BounceChart::power);
     bounces.setLabel("bounces");
     DecadeAxis errors = CurvePanel.heights(curves, null, BounceChart::power);
-    Rectangle2D where = new Rectangle2D.Double(2, 0, WIDTH - 4, HEIGHT - 4);
+    Rectangle2D where = new Rectangle2D.Double(2, 0, width - 4, HEIGHT - 4);
     CurvePanel.draw(g, where, NAMES, bounces, errors, marks, curves);
   }
 

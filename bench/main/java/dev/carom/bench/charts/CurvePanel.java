@@ -32,19 +32,21 @@ final class CurvePanel {
     this.marks = marks;
   }
 
-  /** The heights that lines and bands need, and others. */
+  /** The heights that lines and bands need, and others; with a tick named 0 if one of them is 0. */
   static DecadeAxis heights(
       List<Curve> curves, String label, DoubleFunction<String> text, double... others) {
-    DoubleStream all =
+    double[] all =
         curves.stream()
             .flatMapToDouble(
                 c ->
                     DoubleStream.concat(
                         Arrays.stream(c.middle()),
-                        DoubleStream.concat(Arrays.stream(c.low()), Arrays.stream(c.high()))));
-    DecadeAxis axis = DecadeAxis.covering(DoubleStream.concat(all, Arrays.stream(others)), text);
+                        DoubleStream.concat(Arrays.stream(c.low()), Arrays.stream(c.high()))))
+            .toArray();
+    DoubleStream shown = DoubleStream.concat(Arrays.stream(all), Arrays.stream(others));
+    DecadeAxis axis = DecadeAxis.covering(shown, text);
     axis.setLabel(label);
-    return axis;
+    return Arrays.stream(all).anyMatch(value -> value == 0) ? axis.withZero() : axis;
   }
 
   /** From the smallest to the largest place of all lines, a little room at either end. */

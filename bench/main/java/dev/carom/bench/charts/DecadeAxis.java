@@ -24,8 +24,12 @@ final class DecadeAxis extends LogAxis {
 
   private static final int MOST_TICKS = 15;
 
+  /** The way from 0 to the first decade, as a share of the length of all decades. */
+  private static final double ZERO_GUTTER = 0.12;
+
   private final int lowest;
   private final int highest;
+  private boolean zero;
   private final transient DoubleFunction<String> text;
   private transient DoubleFunction<String> unit = value -> Durations.number(value, 3);
 
@@ -71,6 +75,20 @@ final class DecadeAxis extends LogAxis {
     return this;
   }
 
+  /**
+   * Breaks the axis below its first decade, and gives it a tick named 0 there: no logarithm ends at
+   * 0, and a value of 0 drawn at the first decade would read as that decade.
+   */
+  DecadeAxis withZero() {
+    zero = true;
+    return withGutters(ZERO_GUTTER, 0);
+  }
+
+  /** Where the axis is broken, between 0 and the first decade; NaN for an axis without a 0. */
+  double breakAt() {
+    return zero ? Math.sqrt(getLowerBound() * least()) : Double.NaN;
+  }
+
   /** A value with three digits, as its ticks are written. */
   String text(double value) {
     return unit.apply(value);
@@ -97,6 +115,9 @@ final class DecadeAxis extends LogAxis {
     for (int i = lowest; i <= highest; i += step) {
       double value = Math.pow(10, i);
       ticks.add(new NumberTick(value, text.apply(value), anchor, TextAnchor.CENTER, 0));
+    }
+    if (zero) {
+      ticks.add(new NumberTick(getLowerBound(), "0", anchor, TextAnchor.CENTER, 0));
     }
     return ticks;
   }

@@ -14,7 +14,7 @@ import org.jfree.chart.axis.NumberAxis;
 /**
  * A run, frame by frame: a panel for each quantity, the median over circles as a line in a band
  * from 5 to 95 %, and in the first panel the frame at which each method has left the true course. A
- * value of 0 is drawn at the lower edge.
+ * value of 0 stands below a break of the axis.
  */
 public final class DriftChart {
 

@@ -3,12 +3,15 @@ package dev.carom.bench.report;
 
 import dev.carom.bench.charts.BounceChart;
 import dev.carom.bench.charts.Curve;
+import dev.carom.bench.charts.Panel;
+import dev.carom.bench.charts.Picture;
 import dev.carom.bench.results.Results;
 import dev.carom.bench.results.Setting;
 import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.List;
 import java.util.Map;
+import java.util.Optional;
 
 /** A ball that bounces under gravity: the energy that each method has gained or lost. */
 final class BounceFigures {
@@ -52,9 +55,11 @@ final class BounceFigures {
             "bounce",
             "A ball that bounces",
             title(curves),
-            "A ball under gravity bounces elastically on a level floor: 23 px high, 38.4 frames a bounce. Its energy should not change. Shown is the worst error so far; each error is the mean over one bounce. At an error of 1 the ball lies on the floor, or bounces twice as high; a ceiling at 1,000 px ends the growth. An error of 0 stands at the lower edge. Each engine bounces for a few seconds.",
+            "A ball under gravity bounces elastically on a level floor: 23 px high, 38.4 frames a bounce. Its energy should not change. Shown is the worst error so far; each error is the mean over one bounce. At an error of 1 the ball lies on the floor, or bounces twice as high; a ceiling at 1,000 px ends the growth. An error of 0 stands below the break of the axis. Each engine bounces for a few seconds.",
             caption(curves),
-            chart.panels(),
+            List.of(
+                new Panel("Energy error, as a part of the energy", chart.picture(Picture.WIDE))),
+            Optional.of(chart.picture(Picture.PANEL)),
             table.build()));
   }
 
@@ -72,7 +77,7 @@ final class BounceFigures {
       if (curve.method().equals(Metrics.OURS)) {
         int last = curve.x().length - 1;
         double error = curve.middle()[last];
-        return "Within %s bounces the energy of carom's ball is off by %s"
+        return "Within %s bounces the energy of Carom's ball is off by %s"
             .formatted(
                 ReportNumbers.count(curve.x()[last]),
                 error == 0 ? "less than a double shows" : "at most " + ReportNumbers.error(error));

@@ -69,7 +69,7 @@ final class DriftFigures {
         "drift-" + scene,
         "The course of a run: " + scene,
         title(scene),
-        "Scene %s, frame by frame, of each method its most accurate setting. Distance: median over circles, in carom's band from 5 to 95 %%. Energy and penetration: the 95 %% of circles, and of penetration the deepest so far. 0 stands at the lower edge; marks at the foot are the frames at which half of the circles are off by 0.1 radius."
+        "Scene %s, frame by frame, of each method its most accurate setting. Distance: median over circles, in Carom's band from 5 to 95 %%. Energy and penetration: the 95 %% of circles, and of penetration the deepest so far. 0 stands below the break of an axis; marks at the foot are the frames at which half of the circles are off by 0.1 radius."
             .formatted(scene),
         "Distance from the true course, energy and penetration, frame by frame. " + told,
         chart.panels(),
@@ -86,7 +86,7 @@ final class DriftFigures {
         Double.isNaN(limit)
             ? ""
             : "; of a start that differs in the last bit, " + until(scene, limit);
-    return "Half of carom's circles are on the true course " + until(scene, ours) + theirs;
+    return "Half of Carom's circles are on the true course " + until(scene, ours) + theirs;
   }
 
   /** A horizon after the last frame was never reached. */

@@ -29,7 +29,7 @@ class BounceFiguresTest {
     assertThat(figures).hasSize(1);
     Figure figure = figures.get(0);
     assertThat(figure.title())
-        .isEqualTo("Within 100 bounces the energy of carom's ball is off by at most 2.0e-16");
+        .isEqualTo("Within 100 bounces the energy of Carom's ball is off by at most 2.0e-16");
     assertThat(figure.caption())
         .endsWith(
             "Carom 2.0e-16 after 100, dyn4j defaults 0.1 after 100, dyn4j tuned 0.001 after 100.");
@@ -38,7 +38,8 @@ class BounceFiguresTest {
             List.of("Carom", "100", "2.0e-16", "none"),
             List.of("dyn4j defaults", "100", "0.1", "100"),
             List.of("dyn4j tuned", "100", "0.001", "none"));
-    assertThat(new String(figure.picture().svg(), StandardCharsets.UTF_8)).contains(">bounces<");
+    assertThat(new String(figure.picture().svg(), StandardCharsets.UTF_8))
+        .contains(">bounces<", ">0<");
   }
 
   /** Results from before there was gravity have no such part. */
