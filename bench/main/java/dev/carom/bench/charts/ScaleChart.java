@@ -19,6 +19,9 @@ public final class ScaleChart {
   private static final double NAMES = 132;
   private static final double RING = 16;
 
+  /** The time of a frame at 60 frames a second, in nanoseconds. */
+  private static final double BUDGET = 1e9 / 60;
+
   /** How the titles of panels end whose times are those of a frame. */
   public static final String FRAME = "a frame";
 
@@ -60,7 +63,7 @@ public final class ScaleChart {
 
   private void panel(Graphics2D g, List<Curve> curves, boolean limited) {
     boolean timeOut = limited && curves.stream().anyMatch(ScaleChart::isCut);
-    double[] others = timeOut ? new double[] {limit} : new double[0];
+    double[] others = limited ? new double[] {BUDGET, timeOut ? limit : BUDGET} : new double[0];
     DecadeAxis circles =
         DecadeAxis.covering(
             curves.stream().flatMapToDouble(c -> Arrays.stream(c.x())), ScaleChart::count);
@@ -69,6 +72,11 @@ public final class ScaleChart {
     times.withTexts(v -> Durations.text(v, 3));
     Rectangle2D where = new Rectangle2D.Double(2, 0, Picture.PANEL - 4, PANEL - 4);
     Axes axes = CurvePanel.draw(g, where, NAMES, circles, times, marks, curves);
+    if (limited) {
+      axes.level(g, BUDGET, Style.VERMILION, Style.dashes(Style.THIN, 7, 4));
+      g.setFont(Style.font(11));
+      g.drawString("60 FPS", (float) axes.area().getMinX() + 6, (float) axes.y(BUDGET) - 4);
+    }
     if (timeOut) {
       rings(g, axes, curves);
     }
