@@ -46,7 +46,8 @@ public record Picture(int width, int height, String title, Consumer<Graphics2D> 
 
   private static final FontRenderContext CONTEXT = new FontRenderContext(null, true, true);
 
-  private static final String FONTS = "Helvetica, Arial, DejaVu Sans, sans-serif";
+  /** First the font that texts are measured in, and its twin on other systems: as wide. */
+  private static final String FONTS = "DejaVu Sans, Verdana, Helvetica, Arial, sans-serif";
 
   /** Measures the room that a painter takes. It draws on an image of one pixel. */
   static double measured(ToDoubleFunction<Graphics2D> painter) {

@@ -10,9 +10,9 @@ import java.util.Map;
 /** Predicted bounds of errors against the true errors, both axes logarithmic: one panel a scene. */
 public final class TrustChart {
 
-  private static final int WIDTH = 440;
+  private static final int WIDTH = Picture.PANEL;
   private static final int HEIGHT = 340;
-  private static final double NAMES = 90;
+  private static final double NAMES = 122;
 
   private static final String BOUND = "carom";
   private static final String ERROR = "error";
