@@ -34,9 +34,9 @@ final class Glossary {
     add(
         "plain-grid",
         "plain + grid",
-        "a simple program in plain doubles with a grid like carom's and a filter, without its"
+        "a simple program in plain doubles with a grid like Carom's and a filter, without its"
             + " guarantees: a control for what exactness costs");
-    add("plain", "plain doubles", "carom's own test of one line, in plain doubles");
+    add("plain", "plain doubles", "Carom's own test of one line, in plain doubles");
     add(
         "advancement",
         "advancement",

@@ -259,7 +259,7 @@ final class Page {
     if (!price.questions().rows().isEmpty()) {
       heading(price.questionsTitle());
       paragraph(
-          "A question is one circle against one line: whether, and when. Plain doubles are carom's"
+          "A question is one circle against one line: whether, and when. Plain doubles are Carom's"
               + " own formulas without their proof. Wrong answers are of %s of each class. "
                   .formatted(asked())
               + price.asGood());
@@ -268,7 +268,7 @@ final class Page {
     if (!price.frames().rows().isEmpty()) {
       heading(price.framesTitle());
       paragraph(
-          "Two controls share carom's event loop and kind of grid. They are short programs, not"
+          "Two controls share Carom's event loop and kind of grid. They are short programs, not"
               + " tuned as carom is, so a factor below 1 says that tuning weighs more than"
               + " exactness, not that exactness is free. "
               + price.framesAsGood());

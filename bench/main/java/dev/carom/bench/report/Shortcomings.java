@@ -79,7 +79,7 @@ final class Shortcomings {
       List<String> all = new ArrayList<>();
       faster.forEach((name, n) -> all.add(name + " in " + n));
       told.add(
-          "Of %d classes of single questions, of which carom's slowest takes %s, others answer faster, though not always rightly: %s."
+          "Of %d classes of single questions, of which Carom's slowest takes %s, others answer faster, though not always rightly: %s."
               .formatted(classes.size(), ReportNumbers.time(longest), String.join(", ", all)));
     }
   }
@@ -117,7 +117,7 @@ final class Shortcomings {
         results.value(scene, new Setting(Metrics.NEIGHBOUR, ""), Metrics.HORIZON, "median");
     if (!Double.isNaN(ours) && !Double.isNaN(limit)) {
       told.add(
-          "In %s half of carom's circles have left the true course by frame %s; of a start that differs in the last bit, by frame %s: no method in doubles follows it much longer."
+          "In %s half of Carom's circles have left the true course by frame %s; of a start that differs in the last bit, by frame %s: no method in doubles follows it much longer."
               .formatted(scene, ReportNumbers.count(ours), ReportNumbers.count(limit)));
     }
   }

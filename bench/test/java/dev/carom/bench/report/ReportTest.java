@@ -148,7 +148,7 @@ class ReportTest {
         .contains("published 2010<td>66 (61.6 .. 70.7)<td>")
         .contains("<dt>published 2010</dt><dd>the published algorithm of 2010, in float")
         .contains("slowest frame<td>base-1<td>16.7 ms<td>")
-        .contains("<li>In base-1 half of carom's circles have left the true course by frame 230;")
+        .contains("<li>In base-1 half of Carom's circles have left the true course by frame 230;")
         .contains("commit</dt><dd>0123456789abcdef");
   }
 
