@@ -162,11 +162,11 @@ class QuestionsTest {
     double factor = Math.scalb(1.0, random.nextInt(20) - 10);
     Vec2 v = new Vec2(factor * speed(random, unit), factor * speed(random, unit));
     double maxTime = random.nextInt(3) == 0 ? NEVER : 40 * random.nextDouble();
-    Optional<Impact> hit = worlds.compare(world -> world.cast(new SweptCircle(disk, v), maxTime));
-    hit.ifPresent(
-        impact -> worlds.compare(world -> world.cast(new SweptCircle(disk, v), impact.time())));
-    worlds.compare(
-        world -> world.withFilter(new Filter(1, 1)).cast(new SweptCircle(disk, v), maxTime));
+    double gy = random.nextInt(3) == 0 ? -unit : 0;
+    SweptCircle asked = new SweptCircle(disk, v).withAcceleration(0, gy);
+    Optional<Impact> hit = worlds.compare(world -> world.cast(asked, maxTime));
+    hit.ifPresent(impact -> worlds.compare(world -> world.cast(asked, impact.time())));
+    worlds.compare(world -> world.withFilter(new Filter(1, 1)).cast(asked, maxTime));
   }
 
   @ParameterizedTest
