@@ -12,17 +12,13 @@ import org.junit.jupiter.params.provider.ValueSource;
 /** Two circles of a world, or few: when they collide, what the log says, and when they do not. */
 class CollisionTest {
 
-  private static SceneBuilder colliding() {
-    return Scene.builder();
-  }
-
   private static Run run(SceneBuilder builder) {
     return Run.advance(new World(builder.build()), 100);
   }
 
   @Test
   void theLogNamesBothAndPointsFromTheSecondToTheFirst() {
-    Run run = run(colliding().circle(0, 0, 1, 2, 0).circle(12, 0, 3, -2, 0));
+    Run run = run(Scene.builder().circle(0, 0, 1, 2, 0).circle(12, 0, 3, -2, 0));
     assertThat(run.impacts())
         .containsExactly(
             new Run.Row(2, 0, Kind.CIRCLE, 1, Feature.CIRCLE, 5, 0, -1, 0, 4, Outcome.BOUNCED));
@@ -40,7 +36,7 @@ class CollisionTest {
   @ParameterizedTest
   @ValueSource(doubles = {2, 1.5, 1e-3})
   void touchingOrOverlappingAndApproachingIsAnImpactAtTheStart(double distance) {
-    Run run = run(colliding().circle(0, 0, 1, 1, 0).circle(distance, 0, 1, 0, 0));
+    Run run = run(Scene.builder().circle(0, 0, 1, 1, 0).circle(distance, 0, 1, 0, 0));
     assertThat(run.impacts()).hasSize(1);
     assertThat(run.impacts().get(0).time()).isZero();
     assertThat(run.end().get(0)).as("never nudged").isEqualTo(new Run.State(0, 0, 0, 0));
@@ -50,12 +46,12 @@ class CollisionTest {
   @ParameterizedTest
   @ValueSource(doubles = {2, 1.5, 1e-3})
   void touchingOrOverlappingAndLeavingIsNone(double distance) {
-    assertThat(run(colliding().circle(0, 0, 1, -1, 0).circle(distance, 0, 1, 0, 0)).impacts())
+    assertThat(run(Scene.builder().circle(0, 0, 1, -1, 0).circle(distance, 0, 1, 0, 0)).impacts())
         .isEmpty();
-    assertThat(run(colliding().circle(0, 0, 1, 0, 1).circle(distance, 0, 1, 0, 0)).impacts())
+    assertThat(run(Scene.builder().circle(0, 0, 1, 0, 1).circle(distance, 0, 1, 0, 0)).impacts())
         .as("tangentially")
         .isEmpty();
-    assertThat(run(colliding().circle(0, 0, 1, 3, 1).circle(distance, 0, 1, 3, 1)).impacts())
+    assertThat(run(Scene.builder().circle(0, 0, 1, 3, 1).circle(distance, 0, 1, 3, 1)).impacts())
         .as("with the same velocity")
         .isEmpty();
   }
@@ -63,7 +59,8 @@ class CollisionTest {
   /** Collisions at one time go by number, the lower first; one circle is hit from both sides. */
   @Test
   void simultaneousCollisionsAreTakenByNumber() {
-    Run run = run(colliding().circle(0, 0, 1, 0, 0).circle(-5, 0, 1, 1, 0).circle(5, 0, 1, -1, 0));
+    Run run =
+        run(Scene.builder().circle(0, 0, 1, 0, 0).circle(-5, 0, 1, 1, 0).circle(5, 0, 1, -1, 0));
     assertThat(run.impacts().stream().map(Run.Row::time)).containsOnly(3.0);
     assertThat(run.impacts().get(0).obstacle()).isEqualTo(1);
     assertThat(run.impacts().get(1).obstacle()).isEqualTo(2);
@@ -110,7 +107,7 @@ class CollisionTest {
     Random random = new Random(1);
     for (int i = 0; i < 200; i++) {
       double speed = 1 + random.nextDouble();
-      SceneBuilder builder = colliding().circle(0, random.nextDouble(), 1, speed, 0);
+      SceneBuilder builder = Scene.builder().circle(0, random.nextDouble(), 1, speed, 0);
       Scene scene = builder.circle(9 + random.nextDouble(), 0, 1, -random.nextDouble(), 0).build();
       World world = new World(scene);
       world.step(20);
@@ -131,7 +128,7 @@ class CollisionTest {
    */
   @Test
   void anInfiniteMassThatKeepsItsVelocityPassesOverACrushedCircle() {
-    SceneBuilder scene = colliding().bounds(0, 0, 12800, 10240);
+    SceneBuilder scene = Scene.builder().bounds(0, 0, 12800, 10240);
     scene.line(12724, 9499, 12295, 9876).response(Response.HALT).line(10799, 8474, 10384, 7629);
     scene.circle(12136, 8935, 383, 0.9, 1.1).mass(Double.POSITIVE_INFINITY);
     World world = new World(scene.circle(11515, 9225, 1015, 0, 0).restitution(0.9).build());

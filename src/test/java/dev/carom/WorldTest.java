@@ -193,25 +193,6 @@ class WorldTest {
   }
 
   @ParameterizedTest
-  @ValueSource(ints = {-1, 2, Integer.MIN_VALUE, Integer.MAX_VALUE})
-  void refusesCirclesThatDoNotExist(int id) {
-    World world = world(floor());
-    String message = "circle " + id;
-    for (Runnable query :
-        List.<Runnable>of(
-            () -> world.x(id),
-            () -> world.y(id),
-            () -> world.vx(id),
-            () -> world.vy(id),
-            () -> world.radius(id))) {
-      assertThatExceptionOfType(IndexOutOfBoundsException.class)
-          .isThrownBy(query::run)
-          .withMessageContaining(message)
-          .withMessageContaining("expected an id from 0 to 1");
-    }
-  }
-
-  @ParameterizedTest
   @ValueSource(ints = {-1, 1, 15, Integer.MAX_VALUE})
   void refusesRowsThatDoNotExist(int row) {
     World world = world(floor());
@@ -362,8 +343,8 @@ class WorldTest {
   void theModelSaysWhatIsUsed() {
     SceneBuilder empty = Scene.builder().bounds(0, 0, 9, 9).circle(4, 4, 1, 1, 1);
     assertThat(world(empty).toString()).endsWith("; circles that collide, no lines or pegs]");
-    assertThat(world(empty.collide(true)).toString())
-        .endsWith("; circles that collide, no lines or pegs]");
+    assertThat(world(empty.collide(false)).toString())
+        .endsWith("; circles that ignore each other, no lines or pegs]");
     assertThat(world(floor()).toString()).contains("1 line or peg without a grid");
     assertThat(new World(TestScenes.read("base-1.csv")).toString())
         .contains("100 lines and pegs in 1 grid of");

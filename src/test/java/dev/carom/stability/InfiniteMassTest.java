@@ -23,10 +23,6 @@ class InfiniteMassTest {
 
   private static final double INFINITE = Double.POSITIVE_INFINITY;
 
-  private static SceneBuilder colliding() {
-    return Scene.builder();
-  }
-
   private static int count(ImpactLog log, Outcome outcome) {
     int count = 0;
     for (int i = 0; i < log.size(); i++) {
@@ -37,7 +33,7 @@ class InfiniteMassTest {
 
   @Test
   void threeInARowPassThroughEachOther() {
-    SceneBuilder scene = colliding().circle(0, 0, 1, 0, 0).mass(INFINITE);
+    SceneBuilder scene = Scene.builder().circle(0, 0, 1, 0, 0).mass(INFINITE);
     scene.circle(3, 0, 1, -1, 0).mass(INFINITE).circle(7, 0, 1, -2, 0).mass(INFINITE);
     World world = new World(scene.build());
     world.step(10);
@@ -51,7 +47,7 @@ class InfiniteMassTest {
   /** A press becomes an ordinary circle upon what it has crushed, and comes back from the wall. */
   @Test
   void aPressThatBecomesACircleHitsWhatItCrushed() {
-    SceneBuilder scene = colliding().bounds(0, 0, 20, 4).circle(1.5, 2, 1, 0, 0);
+    SceneBuilder scene = Scene.builder().bounds(0, 0, 20, 4).circle(1.5, 2, 1, 0, 0);
     World world = new World(scene.circle(10, 2, 1, -1, 0).mass(INFINITE).build());
     world.advanceTo(8);
     assertThat(count(world.impacts(), Outcome.JAMMED)).isPositive();
@@ -67,7 +63,7 @@ class InfiniteMassTest {
   /** Sixteen that overlap are moved as a flipper: each approach is one row, each frame. */
   @Test
   void manyThatOverlapReportEachApproachOnce() {
-    SceneBuilder scene = colliding();
+    SceneBuilder scene = Scene.builder();
     for (int i = 0; i < 16; i++) {
       scene.circle(0.5 * i, 0, 1, 0, 0).mass(INFINITE);
     }
@@ -96,7 +92,7 @@ class InfiniteMassTest {
   @ParameterizedTest
   @ValueSource(doubles = {0, 0.3, 0.5, 0.9, 1})
   void twoDoorsThatCloseCrushABall(double e) {
-    SceneBuilder scene = colliding().circle(0, 0, 1, 0.3, 0).restitution(e);
+    SceneBuilder scene = Scene.builder().circle(0, 0, 1, 0.3, 0).restitution(e);
     scene.circle(-5, 0, 1, 1, 0).mass(INFINITE).circle(5, 0, 1, -1, 0).mass(INFINITE);
     World world = new World(scene.build());
     world.step(2.5);
@@ -120,7 +116,8 @@ class InfiniteMassTest {
   @ParameterizedTest
   @ValueSource(doubles = {0, 0.5, 1})
   void aPistonCrushesABallAtAWall(double e) {
-    SceneBuilder scene = colliding().bounds(0, 0, 20, 20).circle(15, 10, 1, 0.3, 0).restitution(e);
+    SceneBuilder scene =
+        Scene.builder().bounds(0, 0, 20, 20).circle(15, 10, 1, 0.3, 0).restitution(e);
     World world = new World(scene.circle(5, 10, 1, 1, 0).mass(INFINITE).build());
     world.advanceTo(13);
     assertThat(world.x(0)).isCloseTo(19, within(1e-4));
@@ -134,7 +131,8 @@ class InfiniteMassTest {
   /** A crushed circle is hit like one of infinite mass, and moves again once the doors left it. */
   @Test
   void aCrushedCircleStandsUntilTheDoorsHaveLeft() {
-    SceneBuilder scene = colliding().circle(0, 0, 1, 0, 0).circle(-5, 0, 1, 1, 0).mass(INFINITE);
+    SceneBuilder scene =
+        Scene.builder().circle(0, 0, 1, 0, 0).circle(-5, 0, 1, 1, 0).mass(INFINITE);
     scene.circle(5, 0, 1, -1, 0).mass(INFINITE).circle(0, 10, 1, 0, -2).restitution(1);
     World world = new World(scene.build());
     world.advanceTo(4);
@@ -152,7 +150,8 @@ class InfiniteMassTest {
   /** Also if it gets its new velocity at the place and the time at which a flight begins. */
   @Test
   void aCircleMeetsADoorAgainThatCrushedItAndLeft() {
-    SceneBuilder scene = colliding().circle(0, 0, 1, 0, 0).circle(-5, 0, 1, 1, 0).mass(INFINITE);
+    SceneBuilder scene =
+        Scene.builder().circle(0, 0, 1, 0, 0).circle(-5, 0, 1, 1, 0).mass(INFINITE);
     scene.circle(5, 0, 1, -1, 0).mass(INFINITE).circle(0, 99, 1, 0, 0).restitution(1);
     World world = new World(scene.build());
     world.advanceTo(9);
@@ -170,7 +169,8 @@ class InfiniteMassTest {
   /** A ball that rides on one door is hit by the other one: it is not crushed while it moves. */
   @Test
   void onlyWhatStandsIsPassedOver() {
-    SceneBuilder scene = colliding().bounds(-50, 0, 50, 50).circle(0, 1.5, 1, 0, 0).restitution(0);
+    SceneBuilder scene =
+        Scene.builder().bounds(-50, 0, 50, 50).circle(0, 1.5, 1, 0, 0).restitution(0);
     scene.circle(-3, 3.5, 2, 0.5, -1).mass(INFINITE).circle(3, 3.5, 2, -2, -0.5).mass(INFINITE);
     World world = new World(scene.build());
     for (int frame = 1; frame <= 400; frame++) {
@@ -187,7 +187,8 @@ class InfiniteMassTest {
 
   @Test
   void whoComesLaterPassesOverACrushedCircleToo() {
-    SceneBuilder scene = colliding().circle(0, 0, 1, 0, 0).circle(-5, 0, 1, 1, 0).mass(INFINITE);
+    SceneBuilder scene =
+        Scene.builder().circle(0, 0, 1, 0, 0).circle(-5, 0, 1, 1, 0).mass(INFINITE);
     scene.circle(5, 0, 1, -1, 0).mass(INFINITE).circle(0, 9, 1, 0, -2).mass(INFINITE);
     World world = new World(scene.build());
     world.advanceTo(3);
@@ -202,7 +203,7 @@ class InfiniteMassTest {
   @ParameterizedTest
   @ValueSource(doubles = {0, 0.5, 0.9})
   void aRowIsCrushedToo(double e) {
-    SceneBuilder scene = colliding().bounds(0, 0, 40, 10);
+    SceneBuilder scene = Scene.builder().bounds(0, 0, 40, 10);
     for (int i = 0; i < 5; i++) {
       scene.circle(20 + 3 * i, 5, 1, 0, 0).restitution(e);
     }

@@ -19,10 +19,6 @@ class ShockTest {
 
   private static final double INFINITE = Double.POSITIVE_INFINITY;
 
-  private static SceneBuilder scene() {
-    return Scene.builder();
-  }
-
   private static World play(SceneBuilder scene) {
     World world = new World(scene.build());
     world.step(1);
@@ -32,7 +28,7 @@ class ShockTest {
   @ParameterizedTest
   @ValueSource(ints = {2, 10, 100})
   void aRowThatIsHitGoesOnAsOne(int count) {
-    SceneBuilder scene = scene();
+    SceneBuilder scene = Scene.builder();
     for (int i = 0; i < count; i++) {
       scene.circle(2 * i, 0, 1, i == 0 ? count : 0, 0).restitution(0);
     }
@@ -47,7 +43,7 @@ class ShockTest {
   @ParameterizedTest
   @CsvSource({"1, 1", "10, 0.05", "30, 1e-200", "10, 1e150"})
   void aColumnOnTheFloorStops(int count, double speed) {
-    SceneBuilder scene = scene().line(-1, 0, 1, 0);
+    SceneBuilder scene = Scene.builder().line(-1, 0, 1, 0);
     for (int i = 0; i < count; i++) {
       scene.circle(0, 1 + 2 * i, 1, 0, -speed).restitution(0);
     }
@@ -60,7 +56,7 @@ class ShockTest {
 
   @Test
   void anInfiniteMassTakesARowAlong() {
-    SceneBuilder scene = scene().circle(0, 0, 1, 3, 0).mass(INFINITE).restitution(0);
+    SceneBuilder scene = Scene.builder().circle(0, 0, 1, 3, 0).mass(INFINITE).restitution(0);
     for (int i = 1; i < 4; i++) {
       scene.circle(2 * i, 0, 1, 0, 0).restitution(0);
     }
@@ -74,7 +70,7 @@ class ShockTest {
 
   @Test
   void betweenTwoInfiniteMassesACircleIsCrushed() {
-    SceneBuilder scene = scene().circle(0, 0, 1, 1, 0).mass(INFINITE);
+    SceneBuilder scene = Scene.builder().circle(0, 0, 1, 1, 0).mass(INFINITE);
     World world =
         play(scene.circle(2, 0, 1, 0, 0).restitution(0).circle(4, 0, 1, -1, 0).mass(INFINITE));
     assertThat(world.vx(1)).isZero();
@@ -87,7 +83,7 @@ class ShockTest {
   /** Two contacts turn the velocity to and fro; in the end nothing is left of it. */
   @Test
   void whatFliesIntoAWedgeStops() {
-    SceneBuilder scene = scene().line(0, 0, 6, 8).line(0, 0, -6, 8);
+    SceneBuilder scene = Scene.builder().line(0, 0, 6, 8).line(0, 0, -6, 8);
     World world = play(scene.circle(0, 5 / 3.0, 1, 0.1, -1).restitution(0));
     assertThat(world.vx(0)).isZero();
     assertThat(world.vy(0)).isZero();
@@ -100,7 +96,7 @@ class ShockTest {
     Random random = new Random(1);
     for (int run = 0; run < 50; run++) {
       int rows = 2 + random.nextInt(5);
-      SceneBuilder scene = scene();
+      SceneBuilder scene = Scene.builder();
       double[][] v = new double[rows * rows][2];
       for (int i = 0; i < v.length; i++) {
         v[i] = new double[] {random.nextGaussian(), random.nextGaussian()};
