@@ -43,7 +43,8 @@ public final class BounceChart {
         DecadeAxis.covering(
             curves.stream().flatMapToDouble(c -> Arrays.stream(c.x())), BounceChart::power);
     bounces.setLabel("bounces");
-    DecadeAxis errors = CurvePanel.heights(curves, null, BounceChart::power);
+    DecadeAxis errors =
+        CurvePanel.heights(curves, "energy error, as a part of the energy", BounceChart::power);
     Rectangle2D where = new Rectangle2D.Double(2, 0, width - 4, HEIGHT - 4);
     CurvePanel.draw(g, where, NAMES, bounces, errors, marks, curves);
   }

@@ -57,8 +57,7 @@ final class BounceFigures {
             title(curves),
             "A ball under gravity bounces elastically on a level floor: 23 px high, 38.4 frames a bounce. Its energy should not change. Shown is the worst error so far; each error is the mean over one bounce. At an error of 1 the ball lies on the floor, or bounces twice as high; a ceiling at 1,000 px ends the growth. An error of 0 stands below the break of the axis. Each engine bounces for a few seconds.",
             caption(curves),
-            List.of(
-                new Panel("Energy error, as a part of the energy", chart.picture(Picture.WIDE))),
+            List.of(new Panel("", chart.picture(Picture.WIDE))),
             Optional.of(chart.picture(Picture.PANEL)),
             table.build()));
   }
