@@ -113,10 +113,26 @@ class SweptCircleLimitsTest {
       refused(() -> circle.timeToPeg(bad, 0, 1, 1), "cx", bad);
       refused(() -> circle.timeToPeg(0, bad, 1, 1), "cy", bad);
       refused(() -> circle.timeToPeg(0, 0, bad, 1), "pegRadius", bad);
+    }
+  }
+
+  @Test
+  void refusesBoundsThatAreNoNumbers() {
+    double bad = Double.NaN;
+    for (SweptCircle circle : List.of(MOVING, FALLING)) {
       refused(() -> circle.timeToBounds(bad, 0, 1, 1, 1), "xmin", bad);
       refused(() -> circle.timeToBounds(0, bad, 1, 1, 1), "ymin", bad);
       refused(() -> circle.timeToBounds(0, 0, bad, 1, 1), "xmax", bad);
       refused(() -> circle.timeToBounds(0, 0, 1, bad, 1), "ymax", bad);
+    }
+  }
+
+  @Test
+  void refusesBoundsThatEndBeforeTheyBegin() {
+    double infinite = Double.POSITIVE_INFINITY;
+    for (SweptCircle circle : List.of(MOVING, FALLING)) {
+      refused(() -> circle.timeToBounds(infinite, 0, infinite, 1, 1), "xmax", infinite);
+      refused(() -> circle.timeToBounds(0, -infinite, 1, -infinite, 1), "ymax", -infinite);
     }
   }
 
