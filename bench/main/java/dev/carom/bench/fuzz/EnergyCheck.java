@@ -6,7 +6,6 @@ import dev.carom.Kind;
 import dev.carom.Outcome;
 import dev.carom.Vec2;
 import dev.carom.World;
-import dev.carom.bench.methods.PlainScene;
 import java.util.Arrays;
 
 /**
@@ -85,7 +84,7 @@ final class EnergyCheck {
     for (int row = 0; row < rows; row++) {
       Outcome outcome = world.impacts().outcome(row);
       mayTouch |= outcome == Outcome.SETTLED || outcome == Outcome.JAMMED || restitution(row) == 0;
-      int i = PlainScene.collides(world.scene()) ? 0 : world.impacts().circle(row);
+      int i = world.scene().collide() ? 0 : world.impacts().circle(row);
       mayGain[i] |= mayGain(row);
       mayLose[i] |= mayLose(row);
     }
@@ -99,7 +98,7 @@ final class EnergyCheck {
         throw new FindingException(
             "energy %s went from %s to %s in %d impacts"
                 .formatted(
-                    PlainScene.collides(world.scene()) ? "of all" : "of circle " + i,
+                    world.scene().collide() ? "of all" : "of circle " + i,
                     before.each[i],
                     after.each[i],
                     rows));
@@ -135,7 +134,7 @@ final class EnergyCheck {
     if (!mayTouch()) {
       return rises;
     }
-    boolean collide = PlainScene.collides(world.scene());
+    boolean collide = world.scene().collide();
     for (int id : world.ids(Kind.CIRCLE)) {
       double mass = collide ? world.traits(Kind.CIRCLE, id).mass() : 1;
       if (mass < Double.POSITIVE_INFINITY) {
@@ -183,7 +182,7 @@ final class EnergyCheck {
 
   /** In the session's own unit of speed, so that squares stay in range; twice the usual ones. */
   private Energies energies() {
-    boolean collide = PlainScene.collides(world.scene());
+    boolean collide = world.scene().collide();
     Energies energies = new Energies(collide ? 1 : world.idLimit(Kind.CIRCLE));
     for (int id : world.ids(Kind.CIRCLE)) {
       if (!collide || !isInfinite(id)) {

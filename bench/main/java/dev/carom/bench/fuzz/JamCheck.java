@@ -7,7 +7,6 @@ import dev.carom.Outcome;
 import dev.carom.Timeline;
 import dev.carom.Vec2;
 import dev.carom.World;
-import dev.carom.bench.methods.PlainScene;
 import java.util.HashMap;
 import java.util.HashSet;
 import java.util.Map;
@@ -58,7 +57,7 @@ final class JamCheck {
 
   /** Looks at a step, which led to its end or not. */
   void check(World world, Timeline timeline, boolean complete) throws FindingException {
-    if (PlainScene.collides(world.scene()) || !world.gravity().equals(Vec2.ZERO)) {
+    if (world.scene().collide() || !world.gravity().equals(Vec2.ZERO)) {
       return;
     }
     ImpactLog log = world.impacts();
