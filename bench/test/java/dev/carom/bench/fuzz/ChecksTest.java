@@ -266,6 +266,7 @@ class ChecksTest extends FlightChecks {
             .line(-8, -6, 4, 8)
             .line(8, -6, -4, 8)
             .circle(0, 0, 5, 3, 1)
+            .collide(false)
             .build());
   }
 

@@ -209,7 +209,7 @@ class ChecksUnderGravityTest extends FlightChecks {
     energy.end();
     assertThat(world.y(0)).isNotEqualTo(50);
     world.setPosition(0, world.x(0), world.y(0) + 1e-9);
-    assertThatThrownBy(energy::end).hasMessageContaining("energy of circle 0 went from 801.0");
+    assertThatThrownBy(energy::end).hasMessageContaining("energy of all went from 801.0");
   }
 
   /** The velocity of a ball that rolls off a peg may lag behind its place by a bit, and no more. */
@@ -222,6 +222,6 @@ class ChecksUnderGravityTest extends FlightChecks {
     assertThat(world.impacts().kind(0)).isEqualTo(Kind.PEG);
     energy.end();
     world.setVelocity(0, 0, 5);
-    assertThatThrownBy(energy::end).hasMessageContaining("energy of circle 0 went from 944.0");
+    assertThatThrownBy(energy::end).hasMessageContaining("energy of all went from 944.0");
   }
 }
