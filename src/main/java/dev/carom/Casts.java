@@ -3,9 +3,10 @@ package dev.carom;
 
 import dev.carom.internal.state.Codes;
 import dev.carom.internal.state.MovingCircle;
-import dev.carom.internal.sweep.Contact;
+import dev.carom.internal.state.ObstacleTable;
 import dev.carom.internal.sweep.Hit;
 import dev.carom.internal.util.Check;
+import dev.carom.internal.util.Part;
 import java.util.Arrays;
 
 /**
@@ -53,6 +54,9 @@ public final class Casts {
 
   private byte[] features = new byte[0];
   private int[] ids = new int[0];
+
+  /** The sides of outlines. */
+  private int[] parts = new int[0];
 
   /** Makes an empty list of casts. */
   public Casts() {}
@@ -143,6 +147,7 @@ public final class Casts {
     kinds = Arrays.copyOf(kinds, room);
     features = Arrays.copyOf(features, room);
     ids = Arrays.copyOf(ids, room);
+    parts = Arrays.copyOf(parts, room);
   }
 
   private void put(int i, double x, double y, double radius, double vx, double vy) {
@@ -173,14 +178,17 @@ public final class Casts {
   /** Keeps that a cast hits nothing. */
   void miss(int i) {
     keep(i, Double.POSITIVE_INFINITY, NONE, NONE, NONE, 0, 0);
+    parts[i] = 0;
   }
 
   /** Keeps the first impact of a cast. */
-  void hit(int i, MovingCircle first, int id, Hit hit) {
-    int kind = Codes.kind(first.next);
-    boolean wall = Codes.isWall(first.next);
-    int feature = wall ? Feature.SIDE.ordinal() : Contact.part(first.contact);
-    keep(i, first.cleared, kind, id, feature, hit.nx(), hit.ny());
+  void hit(int i, MovingCircle first, int id, ObstacleTable obstacles, Hit hit) {
+    int code = first.next;
+    int feature = ObstacleTable.part(code, first.contact);
+    int named = obstacles.named(code, feature);
+    int itsFeature = named == code ? feature : Part.START;
+    keep(i, first.cleared, Codes.kind(code), id, itsFeature, hit.nx(), hit.ny());
+    parts[i] = Codes.isLine(named) ? obstacles.side(named) : 0;
   }
 
   private void keep(int i, double t, int kind, int id, int feature, double nx, double ny) {
@@ -240,7 +248,18 @@ public final class Casts {
   }
 
   /**
-   * Returns the part of the obstacle that is hit.
+   * Returns the side of an {@link Outline} that is hit, see {@link Impact#part}.
+   *
+   * @param i its number, 0..{@link #size()} - 1
+   * @return the side, from 0 on; 0 of all else, and if the cast hits nothing
+   * @throws IndexOutOfBoundsException if there is no such cast
+   */
+  public int part(int i) {
+    return parts[check(i)];
+  }
+
+  /**
+   * Returns the feature of the thing that is hit.
    *
    * @param i its number, 0..{@link #size()} - 1
    * @return the feature

@@ -8,7 +8,7 @@ import dev.carom.internal.util.Check;
  *
  * @param kind the kind of the thing
  * @param id its id; of a wall 0 left, 1 right, 2 bottom, 3 top
- * @param part 0: things have one part each
+ * @param part of an {@link Outline} the number of the side, 0 of all else
  * @param nx the x component of the unit normal, which points from the thing to the circle
  * @param ny the y component of the unit normal
  */
@@ -19,7 +19,7 @@ public record Contact(Kind kind, int id, int part, double nx, double ny) {
    *
    * @param kind the kind of the thing
    * @param id its id
-   * @param part 0
+   * @param part the side of an outline, else 0
    * @param nx the x component of the unit normal
    * @param ny the y component of the unit normal
    * @throws NullPointerException if the kind is null

@@ -1,9 +1,13 @@
 // SPDX-License-Identifier: Apache-2.0
 package dev.carom;
 
+import dev.carom.internal.state.Codes;
+import dev.carom.internal.state.MovingCircle;
+import dev.carom.internal.state.ObstacleTable;
 import dev.carom.internal.sweep.Contact;
 import dev.carom.internal.sweep.Hit;
 import dev.carom.internal.util.Check;
+import dev.carom.internal.util.Part;
 
 /**
  * An {@code Impact} is the contact of a moving circle with an obstacle or with another circle. It
@@ -18,7 +22,9 @@ import dev.carom.internal.util.Check;
  * @param id the id of the thing that was hit. From a {@link Resolver} it is the place in the list
  *     of its kind that the resolver was made of. For a wall it is 0 left, 1 right, 2 bottom, 3 top.
  *     From the detector alone it is -1, except for walls
- * @param part 0: things have one part each
+ * @param part of an {@link Outline} the number of the side that was hit, from point i to the next
+ *     one; a vertex is the {@link Feature#START} of the side that begins there, or the {@link
+ *     Feature#END} of the one that ends there. 0 of all else
  * @param feature the feature that was hit
  * @param x the x coordinate of the contact point, on the thing that was hit; of two circles that of
  *     the point where they touch. If they overlap at the start, the point is that of the line or
@@ -64,7 +70,7 @@ public record Impact(
    * @param circle the id of the circle, or -1
    * @param kind the kind of thing that was hit
    * @param id the id of the thing
-   * @param part its part, 0
+   * @param part the side of an outline, else 0
    * @param feature what of it was hit
    * @param x the x coordinate of the contact
    * @param y the y coordinate of the contact
@@ -96,6 +102,27 @@ public record Impact(
         hit.approachSpeed(),
         0,
         halts ? Outcome.HALTED : Outcome.BOUNCED);
+  }
+
+  /** The first impact of a cast with an obstacle of a table. */
+  static Impact of(MovingCircle m, int id, ObstacleTable obstacles, Hit hit) {
+    int code = m.next;
+    int feature = ObstacleTable.part(code, m.contact);
+    int named = obstacles.named(code, feature);
+    return new Impact(
+        m.cleared,
+        NO_ID,
+        Kind.of(Codes.kind(code)),
+        id,
+        obstacles.side(named),
+        Feature.of(named == code ? feature : Part.START),
+        hit.x(),
+        hit.y(),
+        hit.nx(),
+        hit.ny(),
+        hit.approachSpeed(),
+        0,
+        obstacles.halts(code) ? Outcome.HALTED : Outcome.BOUNCED);
   }
 
   /**

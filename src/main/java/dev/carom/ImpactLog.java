@@ -145,20 +145,19 @@ public final class ImpactLog implements Iterable<Impact> {
    * @throws IndexOutOfBoundsException if there is no such row
    */
   public int id(int row) {
-    int obstacle = rows.obstacle(row);
-    return rows.kind(row) == CIRCLE ? ids.applyAsInt(obstacle) : obstacle;
+    int id = rows.id(row);
+    return rows.kind(row) == CIRCLE ? ids.applyAsInt(id) : id;
   }
 
   /**
    * Returns the part of the thing that was hit.
    *
    * @param row a row, 0..{@link #size()} - 1
-   * @return 0: things have one part each
+   * @return the side of an {@link Outline}, from 0 on, see {@link Impact#part}; 0 of all else
    * @throws IndexOutOfBoundsException if there is no such row
    */
   public int part(int row) {
-    rows.kind(row);
-    return 0;
+    return rows.side(row);
   }
 
   /**

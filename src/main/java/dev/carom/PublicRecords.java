@@ -4,9 +4,12 @@ package dev.carom;
 import dev.carom.internal.query.Region;
 import dev.carom.internal.state.Codes;
 import dev.carom.internal.state.ObstacleTable;
+import dev.carom.internal.state.OutlinePoints;
 import dev.carom.internal.sweep.LineShape;
 import dev.carom.internal.sweep.PegShape;
 import dev.carom.internal.util.Check;
+import java.util.ArrayList;
+import java.util.List;
 
 /** Makes public records of the rows of {@link ObstacleTable}. */
 final class PublicRecords {
@@ -18,7 +21,39 @@ final class PublicRecords {
     if (Codes.isWall(code)) {
       return bounds(obstacles.walls);
     }
-    return Codes.isLine(code) ? line(obstacles, code, now) : peg(obstacles, code, now);
+    return Codes.isLine(code) ? lines(obstacles, code, now) : peg(obstacles, code, now);
+  }
+
+  /** An obstacle, of an outline one side, as it is at a time. */
+  static Obstacle part(ObstacleTable obstacles, int code, double now) {
+    return Codes.isLine(code) ? line(obstacles, code, now) : of(obstacles, code, now);
+  }
+
+  /** A line, or an outline, of which the code of the first side is given, as it is at a time. */
+  private static Obstacle lines(ObstacleTable obstacles, int code, double now) {
+    return lines(
+        obstacles
+            .codesOf(code)
+            .mapToObj(each -> obstacles.rowAt(each, now, 0))
+            .toArray(double[][]::new),
+        obstacles.outside(code) != 0);
+  }
+
+  /** A line, or an outline, by the rows of its sides. */
+  static Obstacle lines(double[][] rows, boolean isSolid) {
+    if (rows.length == 1) {
+      return line(rows[0], 0);
+    }
+    OutlinePoints outline = OutlinePoints.of(rows, isSolid);
+    List<Vec2> points = new ArrayList<>();
+    for (int i = 0; i < outline.count(); i++) {
+      points.add(new Vec2(outline.x(i), outline.y(i)));
+    }
+    try {
+      return new Outline(points, isSolid);
+    } catch (IllegalArgumentException e) {
+      return line(rows[0], 0); // so far away that places round to others
+    }
   }
 
   static Line line(ObstacleTable obstacles, int code, double now) {

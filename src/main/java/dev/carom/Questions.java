@@ -29,6 +29,7 @@ import java.util.List;
 import java.util.Optional;
 import java.util.Set;
 import java.util.function.DoubleSupplier;
+import java.util.stream.IntStream;
 
 /** Answers questions about obstacles, and about the circles of a world. */
 final class Questions implements Resolver {
@@ -99,6 +100,8 @@ final class Questions implements Resolver {
       Obstacle obstacle = Check.notNull("obstacles[" + i + "]", obstacles.get(i));
       if (obstacle instanceof Line line) {
         builder.obstacle(KindNumber.LINE, line.ax(), line.ay(), line.bx(), line.by());
+      } else if (obstacle instanceof Outline outline) {
+        builder.outline(outline.values());
       } else if (obstacle instanceof Circle peg) {
         builder.obstacle(KindNumber.PEG, peg.x(), peg.y(), peg.radius());
       } else {
@@ -145,17 +148,9 @@ final class Questions implements Resolver {
     obstacles.beginQuestion(now);
     try {
       first(body, asked, maxTime, now);
-      int code = body.next;
-      return code == MovingCircle.NOTHING
+      return body.next == MovingCircle.NOTHING
           ? Optional.empty()
-          : Optional.of(
-              Impact.of(
-                  body.cleared,
-                  Kind.of(Codes.kind(code)),
-                  id(code),
-                  body.contact,
-                  hit(body, asked, now),
-                  halts(code)));
+          : Optional.of(impact(body, hit(body, asked, now)));
     } finally {
       obstacles.endQuestion();
     }
@@ -176,12 +171,22 @@ final class Questions implements Resolver {
         if (body.next == MovingCircle.NOTHING) {
           casts.miss(i);
         } else {
-          casts.hit(i, body, id(body.next), hit(body, asked, now));
+          Hit hit = hit(body, asked, now);
+          casts.hit(i, body, id(body.next), obstacles, hit);
         }
       }
     } finally {
       obstacles.endQuestion();
     }
+  }
+
+  private Impact impact(MovingCircle body, Hit hit) {
+    int code = body.next;
+    if (!Codes.isCircle(code)) {
+      return Impact.of(body, id(code), obstacles, hit);
+    }
+    boolean halts = registry.halts(Codes.slot(code));
+    return Impact.of(body.cleared, Kind.CIRCLE, id(code), body.contact, hit, halts);
   }
 
   /** Returns a tracer for so many casts. */
@@ -209,11 +214,7 @@ final class Questions implements Resolver {
   }
 
   private int id(int code) {
-    return Codes.isCircle(code) ? registry.id(Codes.slot(code)) : Codes.index(code);
-  }
-
-  private boolean halts(int code) {
-    return Codes.isCircle(code) ? registry.halts(Codes.slot(code)) : obstacles.halts(code);
+    return Codes.isCircle(code) ? registry.id(Codes.slot(code)) : obstacles.id(code);
   }
 
   // Paths.
@@ -292,7 +293,7 @@ final class Questions implements Resolver {
   private int nearest(Kind kind, double x, double y) {
     int number = kind.ordinal();
     if (kind != Kind.CIRCLE) {
-      return proximity.nearest(number, number + 1, x, y, obstacles.met(filter));
+      return proximity.nearest(number, x, y, obstacles.met(filter));
     }
     int slot =
         circles == null ? Index.NONE : circles.nearest(x, y, clock.getAsDouble(), this::isMet);
@@ -306,6 +307,9 @@ final class Questions implements Resolver {
       double place = obstacles.walls[code];
       double distance = Math.abs((isVertical ? x : y) - place);
       return new Nearest(kind, code, distance, isVertical ? place : x, isVertical ? y : place);
+    }
+    if (kind == Kind.LINE && obstacles.isInside(code, x, y, now)) {
+      return new Nearest(kind, id(code), 0, x, y);
     }
     if (kind == Kind.LINE) {
       Vec2 at = PublicRecords.line(obstacles, code, now).closestPoint(new Vec2(x, y));
@@ -339,11 +343,11 @@ final class Questions implements Resolver {
     if (kind == Kind.CIRCLE && circles == null) {
       return new int[0];
     }
-    int[] found =
-        kind == Kind.CIRCLE
-            ? circles.overlapping(region, clock.getAsDouble(), this::isMet)
-            : proximity.overlapping(number, number + 1, region, obstacles.met(filter));
-    Arrays.setAll(found, k -> kind == Kind.CIRCLE ? registry.id(found[k]) : Codes.index(found[k]));
+    if (kind != Kind.CIRCLE) {
+      return obstacles.ids(proximity.overlapping(number, region, obstacles.met(filter)));
+    }
+    int[] found = circles.overlapping(region, clock.getAsDouble(), this::isMet);
+    Arrays.setAll(found, k -> registry.id(found[k]));
     return found;
   }
 
@@ -358,16 +362,31 @@ final class Questions implements Resolver {
       Circle wide = new Circle(circle.center(), most);
       Questions own = new Questions(shared, registry.filter(slot));
       for (Kind kind : Kind.values()) {
-        for (int id : own.overlapping(kind, wide)) {
+        for (int code : own.codesOverlapping(kind, wide)) {
           boolean isCircle = kind == Kind.CIRCLE;
-          int code = isCircle ? Codes.circle(registry.slot(id)) : Codes.of(kind.ordinal(), id);
           if (isCircle ? touches(slot, Codes.slot(code)) : isSolid(code, circle)) {
-            contacts.add(contact(answer(kind, code, circle.x(), circle.y()), circle));
+            add(contacts, code, answer(kind, code, circle.x(), circle.y()), circle);
           }
         }
       }
     }
     return List.copyOf(contacts);
+  }
+
+  private int[] codesOverlapping(Kind kind, Circle disk) {
+    int[] all = IntStream.of(overlapping(kind, disk)).map(id -> code(kind, id)).toArray();
+    return kind == Kind.CIRCLE
+        ? all
+        : IntStream.of(all)
+            .flatMap(obstacles::codesOf)
+            .filter(code -> disk.overlaps(PublicRecords.part(obstacles, code, clock.getAsDouble())))
+            .toArray();
+  }
+
+  private int code(Kind kind, int id) {
+    return kind == Kind.CIRCLE
+        ? Codes.circle(registry.slot(id))
+        : obstacles.code(kind.ordinal(), id);
   }
 
   /** Tells whether a circle that is near another one is in contact with it. */
@@ -393,18 +412,29 @@ final class Questions implements Resolver {
     if (obstacles.isSensor(code)) {
       return false;
     }
-    if (Codes.isWall(code) || !obstacles.isOneWay(code)) {
+    int outside = Codes.isWall(code) ? 0 : obstacles.isOneWay(code) ? 1 : obstacles.outside(code);
+    if (outside == 0) {
       return true;
     }
     Line line = PublicRecords.line(obstacles, code, clock.getAsDouble());
-    return LineShape.side(line.ax(), line.ay(), line.bx(), line.by(), circle.x(), circle.y()) > 0;
+    int side = LineShape.side(line.ax(), line.ay(), line.bx(), line.by(), circle.x(), circle.y());
+    return side * outside > 0;
   }
 
-  private static Contact contact(Nearest at, Circle circle) {
+  /** Adds a contact, but a vertex between two sides of an outline once. */
+  private void add(List<Contact> contacts, int code, Nearest at, Circle circle) {
     double length = StrictMath.hypot(circle.x() - at.x(), circle.y() - at.y());
     double nx = length == 0 ? 0 : (circle.x() - at.x()) / length;
     double ny = length == 0 ? 1 : (circle.y() - at.y()) / length;
-    return new Contact(at.kind(), at.id(), 0, nx, ny);
+    int part = Codes.isLine(code) ? obstacles.side(code) : 0;
+    boolean isListed =
+        contacts.stream()
+            .anyMatch(
+                it ->
+                    it.kind() == at.kind() && it.id() == at.id() && it.nx() == nx && it.ny() == ny);
+    if (!isListed) {
+      contacts.add(new Contact(at.kind(), at.id(), part, nx, ny));
+    }
   }
 
   /** Tells whether a circle with the filter meets the one in a slot. */

@@ -39,6 +39,8 @@ import java.util.Optional;
  * wall,0,0,800,600
  * # ax, ay, bx, by
  * line,300,200,500,400,restitution=0.9
+ * # x, y of each point; a solid polygon
+ * outline,350,500,450,500,400,560,solid=1
  * # x, y, radius
  * peg,600,300,25
  * # x, y, radius, vx, vy and optionally the mass
@@ -57,8 +59,11 @@ import java.util.Optional;
  *       row, they collide. There is at most one such row.
  *   <li>{@code gravity,gx,gy} is the {@linkplain SceneBuilder#gravity gravity}. There is at most
  *       one such row. Without it, circles fly straight.
- *   <li>The row of a wall, line, peg or circle may end in {@code restitution=NUMBER}. Without it,
- *       it is 1.
+ *   <li>The row of a wall, line, outline, peg or circle may end in {@code restitution=NUMBER}.
+ *       Without it, it is 1.
+ *   <li>{@code outline} is an {@link Outline}, of the kind of lines and numbered among them: a
+ *       polyline, or with {@code solid=1} a polygon. Its row may end in all that the row of a line
+ *       may end in.
  *   <li>Such a row may end in {@code response=bounce}, {@code response=halt} or {@code
  *       response=sensor}, see {@link Response}. The bounds cannot be a sensor.
  *   <li>Such a row may end in {@code category=INTEGER} and {@code mask=INTEGER}, see {@link
@@ -193,8 +198,8 @@ public final class Scene {
    *
    * @param kind its kind
    * @param i its number: of a wall 0..3, else from 0 to {@link #count} - 1
-   * @return a {@link Line} for a line, a {@link Circle} for a peg or a circle, the {@link Bounds}
-   *     for a wall
+   * @return a {@link Line} for a line, an {@link Outline} for an outline of more than one side, a
+   *     {@link Circle} for a peg or a circle, the {@link Bounds} for a wall
    * @throws IndexOutOfBoundsException if there is no such thing
    */
   public Obstacle shape(Kind kind, int i) {
@@ -300,13 +305,13 @@ public final class Scene {
    *     there are none
    */
   public List<Warning> warnings() {
-    return Warnings.of(data).stream().map(Scene::warning).toList();
+    return Warnings.of(data).stream().map(this::warning).toList();
   }
 
-  static Warning warning(Warnings.Overlap overlap) {
+  Warning warning(Warnings.Overlap overlap) {
     int code = overlap.code();
     Kind kind = Kind.of(Codes.kind(code));
-    int id = Codes.isCircle(code) ? Codes.slot(code) : Codes.index(code);
+    int id = Codes.isCircle(code) ? Codes.slot(code) : data.obstacles.id(code);
     return new Warning(overlap.circle(), kind, id, overlap.distance(), overlap.least());
   }
 
@@ -349,6 +354,6 @@ public final class Scene {
       throw new IndexOutOfBoundsException(
           kind.nameOf(i) + " does not exist: the scene has " + others);
     }
-    return Codes.of(kind.ordinal(), i);
+    return kind == Kind.CIRCLE ? Codes.circle(i) : data.obstacles.code(kind.ordinal(), i);
   }
 }

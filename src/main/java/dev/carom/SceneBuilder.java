@@ -64,6 +64,18 @@ public final class SceneBuilder {
   }
 
   /**
+   * Adds an outline: joined lines with one id, of the kind {@link Kind#LINE}. It rests unless
+   * {@link #velocity velocity} is called.
+   *
+   * @param outline a polyline or a solid polygon
+   * @return this builder
+   */
+  public SceneBuilder outline(Outline outline) {
+    data.outline(Check.notNull("outline", outline).values());
+    return this;
+  }
+
+  /**
    * Adds a peg: a round obstacle. It rests unless {@link #velocity velocity} is called.
    *
    * @param x the x coordinate of the centre, finite

@@ -2,7 +2,10 @@
 package dev.carom;
 
 import dev.carom.internal.exact.RealRoot;
+import dev.carom.internal.query.Tracer;
+import dev.carom.internal.search.ObstacleIndex;
 import dev.carom.internal.state.MovingCircle;
+import dev.carom.internal.state.ObstacleTable;
 import dev.carom.internal.sweep.Coordinates;
 import dev.carom.internal.sweep.DiskSweep;
 import dev.carom.internal.sweep.Fall;
@@ -321,9 +324,9 @@ public record SweptCircle(
   /**
    * Finds the first impact of this circle with an obstacle of any kind.
    *
-   * @param obstacle a line, a peg or bounds; of bounds the wall that is hit first is reported, as
-   *     {@link Feature#SIDE}: exactly the earliest one, and the vertical one of two that are hit at
-   *     exactly the same time
+   * @param obstacle a line, an outline, a peg or bounds; of bounds the wall that is hit first is
+   *     reported, as {@link Feature#SIDE}: exactly the earliest one, and the vertical one of two
+   *     that are hit at exactly the same time
    * @param maxTime the end of the window
    * @return the impact; its approach speed is the one at the moment of impact; empty for a miss
    * @throws IllegalArgumentException if maxTime is NaN or negative
@@ -336,6 +339,9 @@ public record SweptCircle(
     }
     if (obstacle instanceof Bounds bounds) {
       return first(bounds, maxTime);
+    }
+    if (obstacle instanceof Outline outline) {
+      return first(outline, maxTime);
     }
     Circle peg = (Circle) obstacle;
     Fall fall = fall().disk(peg.x(), peg.y(), peg.radius(), 0, 0);
@@ -426,6 +432,18 @@ public record SweptCircle(
       hit.moved(MovingCircle.place(0, 0, ax, t), MovingCircle.place(0, 0, ay, t));
     }
     return Optional.of(Impact.of(t, kind, Impact.NO_ID, contact, hit, false));
+  }
+
+  /** The first impact with a side: a solid outline is there from outside only. */
+  private Optional<Impact> first(Outline outline, double maxTime) {
+    ObstacleTable sides = ObstacleTable.empty(null);
+    sides.add(outline.values());
+    Tracer tracer = new Tracer(new ObstacleIndex(sides));
+    MovingCircle m = load(tracer.body, 1);
+    tracer.first(m, maxTime);
+    return m.next == MovingCircle.NOTHING
+        ? Optional.empty()
+        : Optional.of(Impact.of(m, Impact.NO_ID, sides, tracer.hit(m)));
   }
 
   private Optional<Impact> first(Bounds bounds, double maxTime) {

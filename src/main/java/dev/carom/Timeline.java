@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 package dev.carom;
 
-import dev.carom.internal.state.Codes;
 import dev.carom.internal.state.FlightHistory;
 import dev.carom.internal.state.TimelineRecorder;
 import dev.carom.internal.util.Check;
@@ -69,7 +68,7 @@ public final class Timeline {
     return switch (Check.notNull("kind", kind)) {
       case CIRCLE -> recorder.track(id, t) != null;
       case WALL -> isKnown(t) && world.contains(kind, id);
-      case LINE, PEG -> isKnown(t) && row(kind, id, t) != null;
+      case LINE, PEG -> isKnown(t) && rows(kind, id, t).length > 0;
     };
   }
 
@@ -129,8 +128,8 @@ public final class Timeline {
    * @param kind its kind
    * @param id its id
    * @param t a time from {@link #start} to {@link #end}
-   * @return a {@link Circle} for a circle or a peg, a {@link Line}, or for a wall the {@link
-   *     Bounds}; a coordinate beyond the range of doubles is the largest one
+   * @return a {@link Circle} for a circle or a peg, a {@link Line}, an {@link Outline}, or for a
+   *     wall the {@link Bounds}; a coordinate beyond the range of doubles is the largest one
    * @throws IllegalArgumentException if the time is not known, or the thing was not there then
    */
   public Obstacle shape(Kind kind, int id, double t) {
@@ -143,8 +142,8 @@ public final class Timeline {
         Vec2 center = Vec2.within(track.x(t, recorder.walls()), track.y(t, recorder.walls()));
         yield new Circle(center, track.rows.radius(track.find(t)));
       }
-      case LINE -> PublicRecords.line(row(kind, id, t), 0);
-      case PEG -> PublicRecords.peg(row(kind, id, t), 0);
+      case LINE -> PublicRecords.lines(rows(kind, id, t), recorder.isSolid(kind.ordinal(), id, t));
+      case PEG -> PublicRecords.peg(rows(kind, id, t)[0], 0);
       case WALL -> PublicRecords.bounds(recorder.walls());
     };
   }
@@ -175,14 +174,9 @@ public final class Timeline {
     world.stop(recorder);
   }
 
-  private static boolean isId(int kind, int id) {
-    return id >= 0 && id < Codes.limit(kind);
-  }
-
-  /** The row of a line or a peg at a known time; null if it was not there then. */
-  private double[] row(Kind kind, int id, double t) {
-    int number = kind.ordinal();
-    return isId(number, id) ? recorder.obstacle(Codes.of(number, id), t) : null;
+  /** The rows of a line or a peg at a known time; none if it was not there then. */
+  private double[][] rows(Kind kind, int id, double t) {
+    return recorder.obstacle(kind.ordinal(), id, t);
   }
 
   private IllegalArgumentException unknown(Kind kind, int id, double t) {

@@ -113,6 +113,7 @@ public final class World implements Resolver {
             : new IndependentEngine(data, registry, options, rows);
     circles = engine.circles;
     obstacles = engine.staticScene.obstacles;
+    rows.of(obstacles);
     ids = new Handles(registry, obstacles);
     editor = new Editor(data, engine, registry);
     queries = new WorldQueries(engine, registry);
@@ -365,9 +366,16 @@ public final class World implements Resolver {
    * @param id the id of the line
    * @return the line; a coordinate that moved beyond the range of doubles is the largest one
    * @throws IndexOutOfBoundsException if there is no such line
+   * @throws IllegalArgumentException if it is an {@link Outline}: {@link #shape shape} returns it
    */
   public Line line(int id) {
-    return PublicRecords.line(obstacles, code(Kind.LINE, id), now);
+    int code = code(Kind.LINE, id);
+    int sides = obstacles.endOf(code) - code;
+    if (sides > 1) {
+      String outline = "an outline of " + sides + " sides";
+      throw Check.refused(Kind.LINE.nameOf(id), outline, "a single line; shape tells of both");
+    }
+    return PublicRecords.line(obstacles, code, now);
   }
 
   /**
@@ -386,8 +394,9 @@ public final class World implements Resolver {
    *
    * @param kind its kind
    * @param id its id
-   * @return a {@link Line} for a line, a {@link Circle} for a peg or a circle, the {@link Bounds}
-   *     for a wall; a coordinate that moved beyond the range of doubles is the largest one
+   * @return a {@link Line} for a line, an {@link Outline} for an outline, a {@link Circle} for a
+   *     peg or a circle, the {@link Bounds} for a wall; a coordinate that moved beyond the range of
+   *     doubles is the largest one
    * @throws IndexOutOfBoundsException if there is no such thing
    */
   public Obstacle shape(Kind kind, int id) {
@@ -653,8 +662,8 @@ public final class World implements Resolver {
   }
 
   /**
-   * Gives a circle, a line or a peg another place and shape at once. It teleports: it pushes
-   * nothing and hits nothing on the way.
+   * Gives a circle, a line, an outline or a peg another place and shape at once. It teleports: it
+   * pushes nothing and hits nothing on the way.
    *
    * <pre>{@code
    * World world = new World(Scene.builder().peg(60, 30, 5).circle(20, 20, 5, 1, 0).build());
@@ -672,7 +681,8 @@ public final class World implements Resolver {
    *
    * @param kind its kind
    * @param id its id
-   * @param shape a {@link Line} for a line, a {@link Circle} for a peg or a circle
+   * @param shape a {@link Line} for a line, an {@link Outline} for an outline: solid or not as it
+   *     is now, and with as many sides; a {@link Circle} for a peg or a circle
    * @throws IndexOutOfBoundsException if there is no such thing
    * @throws IllegalArgumentException if the kind is {@link Kind#WALL}, the shape one of another
    *     kind, or a coordinate or a radius refused, as by {@link #addLine addLine}, {@link #addPeg
@@ -681,14 +691,17 @@ public final class World implements Resolver {
   public void setShape(Kind kind, int id, Obstacle shape) {
     int code = movable(kind, id);
     Check.notNull("shape", shape);
-    if (kind == Kind.LINE && shape instanceof Line line) {
+    boolean isOutline = kind == Kind.LINE && obstacles.isOutline(code);
+    if (kind == Kind.LINE && shape instanceof Outline outline) {
+      edit().move(code, outline.values(), now);
+    } else if (kind == Kind.LINE && !isOutline && shape instanceof Line line) {
       edit().move(code, line.ax(), line.ay(), line.bx(), line.by(), now);
     } else if (kind == Kind.PEG && shape instanceof Circle peg) {
       edit().move(code, peg.x(), peg.y(), peg.radius(), 0, now);
     } else if (kind == Kind.CIRCLE && shape instanceof Circle circle) {
       edit().setCircle(Codes.slot(code), circle.x(), circle.y(), circle.radius(), now);
     } else {
-      String expected = kind == Kind.LINE ? "a Line" : "a Circle";
+      String expected = isOutline ? "an Outline" : kind == Kind.LINE ? "a Line" : "a Circle";
       throw Check.refused("shape of " + kind.nameOf(id), shape, expected);
     }
   }
@@ -735,7 +748,8 @@ public final class World implements Resolver {
    *
    * @param kind its kind: {@link Kind#LINE} or {@link Kind#PEG}
    * @param id its id
-   * @param x the x coordinate of its place then, finite: of a line the start, of a peg the centre
+   * @param x the x coordinate of its place then, finite: of a line the start, of an outline the
+   *     first point, of a peg the centre
    * @param y the y coordinate of its place then, finite
    * @param arrival the time of arrival, finite and after {@link #now}
    * @throws IndexOutOfBoundsException if there is no such thing
@@ -829,6 +843,24 @@ public final class World implements Resolver {
   }
 
   /**
+   * Adds an outline now: joined lines with one id, of the kind {@link Kind#LINE}. Circles whose
+   * flight meets it begin a new flight.
+   *
+   * @param outline a polyline or a solid polygon
+   * @param traits its traits, those of all its sides, of mass 1; of a solid one not one-way
+   * @return its id
+   * @throws IllegalArgumentException if a coordinate is so large that 2^10 ulps of it exceed the
+   *     smallest radius above 0 that a circle of this world ever had; if the mass is not 1; if a
+   *     solid one shall be one-way; or if there is a circle of radius 0
+   * @throws IllegalStateException if this world gave all ids of lines; each side counts as one
+   */
+  public int addOutline(Outline outline, Traits traits) {
+    Check.notNull("outline", outline);
+    Check.notNull("traits", traits);
+    return edit().add(outline.values(), traits.values(), now);
+  }
+
+  /**
    * Adds a peg now. Circles whose flight meets it begin a new flight.
    *
    * @param x the x coordinate of the centre, finite
@@ -847,10 +879,10 @@ public final class World implements Resolver {
   }
 
   /**
-   * Removes a circle, a line or a peg. Its id is not used again.
+   * Removes a circle, a line, an outline or a peg. Its id is not used again.
    *
-   * <p>No search finds it any more. A circle leaves nothing behind. A line or a peg leaves a row in
-   * memory, some 50 bytes, and a byte in snapshots.
+   * <p>No search finds it any more. A circle leaves nothing behind. A line, a side of an outline or
+   * a peg leaves a row in memory, some 50 bytes, and a byte in snapshots.
    *
    * @param kind its kind
    * @param id its id

@@ -6,7 +6,6 @@ import dev.carom.internal.state.CircleRegistry;
 import dev.carom.internal.state.CircleTable;
 import dev.carom.internal.state.Codes;
 import dev.carom.internal.state.ObstacleTable;
-import java.util.Arrays;
 
 /** Tells of the things in a world. */
 final class WorldQueries {
@@ -61,9 +60,7 @@ final class WorldQueries {
   }
 
   int[] ids(Kind kind) {
-    return kind == Kind.CIRCLE
-        ? registry.ids()
-        : indices(obstacles.codes(kind.ordinal()).toArray());
+    return kind == Kind.CIRCLE ? registry.ids() : obstacles.ids(kind.ordinal());
   }
 
   /** Returns a circle with its motion now. */
@@ -76,11 +73,5 @@ final class WorldQueries {
         circles.flightY(slot, now),
         circles.gx(slot),
         circles.gy(slot));
-  }
-
-  /** Replaces codes of obstacles by their ids. */
-  private static int[] indices(int[] codes) {
-    Arrays.setAll(codes, k -> Codes.index(codes[k]));
-    return codes;
   }
 }

@@ -36,7 +36,7 @@ class ArchitectureTest {
 
   private static final String INTERNAL = "dev.carom.internal.";
 
-  private static final String GEOMETRY = "Vec2 Obstacle Circle Line Bounds PublicRecords";
+  private static final String GEOMETRY = "Vec2 Obstacle Circle Line Outline Bounds PublicRecords";
 
   private static final String DETECTOR = " SweptCircle SweptSphere Impact Outcome Kind Feature";
 

@@ -3,6 +3,7 @@ package dev.carom;
 
 import static org.assertj.core.api.Assertions.assertThat;
 
+import dev.carom.internal.state.Codes;
 import dev.carom.internal.state.ImpactRows;
 import java.util.List;
 import org.junit.jupiter.api.Test;
@@ -34,7 +35,7 @@ class ImpactRowsTest {
   @Test
   void aCircleSettlesOnASide() {
     ImpactRows rows = new ImpactRows(1);
-    rows.add(2.5, 4, Kind.LINE.ordinal(), 3, Feature.SIDE.ordinal());
+    rows.add(2.5, 4, Codes.line(3), Feature.SIDE.ordinal());
     rows.set(10, 20, 0, 2, -1e-9);
     rows.setOutcome(ImpactRows.SETTLED);
     ImpactLog log = new ImpactLog(rows);

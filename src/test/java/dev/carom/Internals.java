@@ -52,8 +52,8 @@ public final class Internals {
   }
 
   /** The warning of an overlap. */
-  public static Warning warning(Warnings.Overlap overlap) {
-    return Scene.warning(overlap);
+  public static Warning warning(Scene scene, Warnings.Overlap overlap) {
+    return scene.warning(overlap);
   }
 
   /** The record of an obstacle. */

@@ -16,6 +16,8 @@ import java.lang.reflect.Executable;
 import java.lang.reflect.InvocationTargetException;
 import java.lang.reflect.Method;
 import java.lang.reflect.Modifier;
+import java.lang.reflect.ParameterizedType;
+import java.lang.reflect.Type;
 import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.Arrays;
@@ -51,7 +53,7 @@ class NoNullTest {
           sample(long.class, () -> 1L),
           sample(boolean.class, () -> true),
           sample(String.class, () -> "name"),
-          sample(double[].class, () -> new double[6]),
+          sample(double[].class, () -> new double[] {1, 2, 3, 4, 5, 9}),
           sample(List.class, () -> List.of(CIRCLE)),
           sample(Path.class, () -> Path.of("no-such-file")),
           sample(Reader.class, () -> new StringReader("peg,1,2,3")),
@@ -66,6 +68,7 @@ class NoNullTest {
           sample(Obstacle.class, () -> CIRCLE),
           sample(Circle.class, () -> CIRCLE),
           sample(Line.class, () -> new Line(1, 2, 3, 4)),
+          sample(Outline.class, () -> Outline.polyline(1, 2, 3, 4, 5, 9)),
           sample(Bounds.class, () -> new Bounds(1, 2, 3, 4)),
           sample(Filter.class, () -> Filter.DEFAULT),
           sample(Traits.class, () -> Traits.DEFAULT),
@@ -87,6 +90,8 @@ class NoNullTest {
           sample(Snapshot.class, () -> world().snapshot()),
           sample(Timeline.class, () -> world().record(1)),
           sample(Uncertainty.class, () -> world().uncertainty(1)));
+
+  private static final List<Vec2> POINTS = List.of(new Vec2(1, 2), new Vec2(3, 4));
 
   private static Map.Entry<Class<?>, Supplier<?>> sample(Class<?> type, Supplier<?> value) {
     return Map.entry(type, value);
@@ -154,7 +159,13 @@ class NoNullTest {
   }
 
   private static Object[] arguments(Executable call) {
-    return Arrays.stream(call.getParameterTypes()).map(NoNullTest::value).toArray();
+    return Arrays.stream(call.getGenericParameterTypes())
+        .map(type -> type.getTypeName().endsWith("<dev.carom.Vec2>") ? POINTS : value(raw(type)))
+        .toArray();
+  }
+
+  private static Class<?> raw(Type type) {
+    return (Class<?>) (type instanceof ParameterizedType of ? of.getRawType() : type);
   }
 
   private static Object answer(Executable call, Object... arguments) throws Throwable {

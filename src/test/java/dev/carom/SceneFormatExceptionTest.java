@@ -46,7 +46,9 @@ class SceneFormatExceptionTest {
     assertRefused(
         row,
         column,
-        "\"" + found + "\" is unknown: expected wall, line, peg, circle, collide or gravity");
+        "\""
+            + found
+            + "\" is unknown: expected wall, line, outline, peg, circle, collide or gravity");
   }
 
   @ParameterizedTest

@@ -14,6 +14,7 @@ import dev.carom.Line;
 import dev.carom.Nearest;
 import dev.carom.Obstacle;
 import dev.carom.Outcome;
+import dev.carom.Outline;
 import dev.carom.Resolver;
 import dev.carom.Response;
 import dev.carom.Scene;
@@ -48,6 +49,7 @@ import java.lang.reflect.Executable;
 import java.lang.reflect.InvocationTargetException;
 import java.lang.reflect.Method;
 import java.lang.reflect.Modifier;
+import java.lang.reflect.ParameterizedType;
 import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
@@ -94,6 +96,8 @@ final class BadArguments {
     -Double.MAX_VALUE,
     Double.MIN_VALUE
   };
+  private static final Outline BRICK = Outline.rectangle(40, 0, 60, 20);
+
   private static final Object[] INTS = {
     0, 1, 2, -1, 99, 1 << 28, 1 << 30, Integer.MAX_VALUE, Integer.MIN_VALUE
   };
@@ -123,6 +127,10 @@ final class BadArguments {
                   new Object[] {
                     LINE, new Line(0, 0, 0, 0), new Line(-1e308, 1e308, 1e308, -1e308), null
                   }),
+          Map.entry(
+              Outline.class,
+              () ->
+                  new Object[] {BRICK, Outline.polyline(-1e308, 1e308, 1e308, -1e308, 0, 0), null}),
           Map.entry(
               Bounds.class,
               () -> new Object[] {BOX, new Bounds(-1e308, -1e308, 1e308, 1e308), null}),
@@ -168,10 +176,20 @@ final class BadArguments {
           Map.entry(Feature.class, () -> withNull(Feature.values())),
           Map.entry(Response.class, () -> withNull(Response.values())),
           Map.entry(
+              Points.class,
+              () ->
+                  new Object[] {
+                    List.of(V, new Vec2(9, 9), new Vec2(9, 0)),
+                    List.of(V),
+                    List.of(V, V),
+                    Collections.singletonList(null),
+                    null
+                  }),
+          Map.entry(
               List.class,
               () ->
                   new Object[] {
-                    List.of(LINE, CIRCLE, BOX),
+                    List.of(LINE, CIRCLE, BOX, BRICK),
                     List.of(),
                     List.of(BOX, BOX),
                     Collections.singletonList(null),
@@ -259,7 +277,8 @@ final class BadArguments {
                 List.of(
                     () -> stepped(true),
                     () -> stepped(false),
-                    () -> new World(Scene.builder().collide(false).build()))),
+                    () -> new World(Scene.builder().collide(false).build()),
+                    () -> new World(Scene.builder().outline(BRICK).build()))),
             Map.entry(
                 SceneBuilder.class,
                 List.of(
@@ -296,6 +315,8 @@ final class BadArguments {
             Map.entry(UnfinishedException.class, List.of(BadArguments::unfinished)),
             Map.entry(Circle.class, List.of(() -> CIRCLE)),
             Map.entry(Bounds.class, List.of(() -> BOX)),
+            Map.entry(
+                Outline.class, List.of(() -> BRICK, () -> Outline.polyline(0, 0, 1e308, 1e308))),
             Map.entry(
                 Impact.class,
                 List.of(() -> scene(true).resolver().cast(new SweptCircle(CIRCLE, V), 99).get())),
@@ -353,13 +374,26 @@ final class BadArguments {
     return calls(called, needsNone ? List.of(() -> null) : receivers(called.getDeclaringClass()));
   }
 
+  /** The types of the parameters; a list of points is another one than a list of obstacles. */
+  private static Class<?>[] types(Executable called) {
+    return Arrays.stream(called.getGenericParameterTypes())
+        .map(
+            type ->
+                type.getTypeName().endsWith("<" + Vec2.class.getName() + ">") ? Points.class : type)
+        .map(type -> type instanceof ParameterizedType of ? of.getRawType() : type)
+        .toArray(Class<?>[]::new);
+  }
+
+  /** Stands for a list of points. */
+  private interface Points {}
+
   /** Each argument in turn takes each of its values, the others good ones; then some at random. */
   List<Call> calls(Executable called, List<Supplier<Object>> receivers) {
     if (receivers.isEmpty()) {
       throw new IllegalArgumentException(called + ": expected an object to call it on");
     }
     List<Call> calls = new ArrayList<>();
-    Class<?>[] types = called.getParameterTypes();
+    Class<?>[] types = types(called);
     Random random = new Random(1);
     for (Supplier<Object> receiver : receivers) {
       calls.add(call(called, receiver.get(), good(types)));

@@ -32,6 +32,7 @@ class DocumentedExceptionsTest {
       Set.of(
           "World.addCircle(double, double, double, double, double, Traits): IllegalStateException",
           "World.addLine(double, double, double, double, Traits): IllegalStateException",
+          "World.addOutline(Outline, Traits): IllegalStateException",
           "World.addPeg(double, double, double, Traits): IllegalStateException",
           "World.advanceToImpact(double): UnfinishedException");
 

@@ -5,6 +5,7 @@ import dev.carom.Bounds;
 import dev.carom.Circle;
 import dev.carom.Kind;
 import dev.carom.Line;
+import dev.carom.Outline;
 import dev.carom.Scene;
 import dev.carom.Trajectory;
 import dev.carom.Vec2;
@@ -238,9 +239,27 @@ public final class SceneDrawing {
       g.fill(disk(map, peg.x(), peg.y(), peg.radius()));
     }
     for (int i = 0; i < scene.count(Kind.LINE); i++) {
-      Line line = (Line) scene.shape(Kind.LINE, i);
+      if (scene.shape(Kind.LINE, i) instanceof Outline outline && outline.solid()) {
+        g.fill(polygon(map, outline));
+      }
+    }
+    for (Line line : Sides.of(scene)) {
       g.draw(new Line2D.Double(point(map, line.ax(), line.ay()), point(map, line.bx(), line.by())));
     }
+  }
+
+  private static Path2D polygon(AffineTransform map, Outline outline) {
+    Path2D path = new Path2D.Double();
+    for (Vec2 point : outline.points()) {
+      Point2D at = point(map, point.x(), point.y());
+      if (path.getCurrentPoint() == null) {
+        path.moveTo(at.getX(), at.getY());
+      } else {
+        path.lineTo(at.getX(), at.getY());
+      }
+    }
+    path.closePath();
+    return path;
   }
 
   /** The glowing ones last, on top. */

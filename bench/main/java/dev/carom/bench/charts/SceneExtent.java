@@ -35,8 +35,7 @@ final class SceneExtent {
   }
 
   private void includeAll(Scene scene) {
-    for (int i = 0; i < scene.count(Kind.LINE); i++) {
-      Line line = (Line) scene.shape(Kind.LINE, i);
+    for (Line line : Sides.of(scene)) {
       include(line.ax(), line.ay(), 0);
       include(line.bx(), line.by(), 0);
     }

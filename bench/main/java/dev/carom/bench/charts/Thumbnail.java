@@ -55,8 +55,7 @@ public final class Thumbnail {
           g.draw(path);
         });
     Path2D lines = new Path2D.Double();
-    for (int k = 0; k < scene.count(Kind.LINE); k++) {
-      Line l = (Line) scene.shape(Kind.LINE, k);
+    for (Line l : Sides.of(scene)) {
       lines.append(
           new Line2D.Double(
               left + scale * l.ax(),

@@ -5,6 +5,8 @@ import dev.carom.Bounds;
 import dev.carom.Circle;
 import dev.carom.Kind;
 import dev.carom.Line;
+import dev.carom.Obstacle;
+import dev.carom.Outline;
 import dev.carom.Scene;
 import dev.carom.SceneBuilder;
 import dev.carom.Timeline;
@@ -32,7 +34,7 @@ public final class WorldScene {
     WorldScene now = new WorldScene(world);
     now.whole();
     for (int id : world.ids(Kind.LINE)) {
-      now.line(id, world.line(id));
+      now.line(id, world.shape(Kind.LINE, id));
     }
     for (int id : world.ids(Kind.PEG)) {
       now.peg(id, world.peg(id));
@@ -67,8 +69,12 @@ public final class WorldScene {
     }
   }
 
-  private void line(int id, Line line) {
-    builder.line(line.ax(), line.ay(), line.bx(), line.by());
+  private void line(int id, Obstacle shape) {
+    if (shape instanceof Line line) {
+      builder.line(line.ax(), line.ay(), line.bx(), line.by());
+    } else {
+      builder.outline((Outline) shape);
+    }
     keep(Kind.LINE, id);
     keepVelocity(Kind.LINE, id);
   }

@@ -2,7 +2,7 @@
 package dev.carom.bench.examples;
 
 import dev.carom.Kind;
-import dev.carom.Line;
+import dev.carom.Outline;
 import dev.carom.Scene;
 import dev.carom.SceneBuilder;
 import dev.carom.Vec2;
@@ -17,23 +17,22 @@ import java.awt.event.KeyEvent;
 import java.awt.geom.Rectangle2D;
 
 /**
- * Breakout: the paddle is a line that moves between frames, a brick is four lines that are removed
- * when the ball hits one of them. Where the ball lands on the paddle decides where it goes. Until
- * somebody plays the paddle follows the ball.
+ * Breakout: a brick is a solid rectangle that is removed when the ball hits it, the paddle a line
+ * that is sent somewhere in each frame and pushes the ball. Where the ball lands on the paddle
+ * decides where it goes. Until somebody plays the paddle follows the ball.
  */
 public final class Breakout implements Example {
 
   private static final double WIDTH = 210;
   private static final double HEIGHT = 160;
   private static final int COLUMNS = 7;
-  private static final int SIDES = 4;
   private static final double BRICK = WIDTH / COLUMNS;
   private static final double GAP = 2;
   private static final Color[] COLORS = {Style.VERMILION, Style.ORANGE, Style.GREEN, Style.BLUE};
   private static final int BRICKS = COLUMNS * COLORS.length;
   private static final int BALL = 0;
   private static final double SPEED = 150.0 / FRAMES;
-  private static final int PADDLE = BRICKS * SIDES;
+  private static final int PADDLE = BRICKS;
   private static final double HALF = 18; // of the paddle
   private static final double LEVEL = 10;
   private World world = board();
@@ -49,10 +48,7 @@ public final class Breakout implements Example {
     SceneBuilder scene = Scene.builder().bounds(0, 0, WIDTH, HEIGHT);
     for (int i = 0; i < BRICKS; i++) {
       Rectangle2D b = brick(i);
-      scene.line(b.getMinX(), b.getMinY(), b.getMaxX(), b.getMinY());
-      scene.line(b.getMaxX(), b.getMinY(), b.getMaxX(), b.getMaxY());
-      scene.line(b.getMaxX(), b.getMaxY(), b.getMinX(), b.getMaxY());
-      scene.line(b.getMinX(), b.getMaxY(), b.getMinX(), b.getMinY());
+      scene.outline(Outline.rectangle(b.getMinX(), b.getMinY(), b.getMaxX(), b.getMaxY()));
     }
     scene.line(WIDTH / 2 - HALF, LEVEL, WIDTH / 2 + HALF, LEVEL);
     scene.circle(WIDTH / 2 + 7, 40, 3, SPEED / 2, -SPEED * StrictMath.sqrt(0.75));
@@ -86,7 +82,7 @@ public final class Breakout implements Example {
     goal += push;
     double x = Math.max(HALF, Math.min(WIDTH - HALF, Double.isNaN(goal) ? follow : goal));
     paddle += Math.max(-2 * SPEED, Math.min(2 * SPEED, x - paddle));
-    world.setShape(Kind.LINE, PADDLE, new Line(paddle - HALF, LEVEL, paddle + HALF, LEVEL));
+    world.moveTo(Kind.LINE, PADDLE, paddle - HALF, LEVEL, world.now() + 1);
   }
 
   private void hit(int line) {
@@ -96,9 +92,7 @@ public final class Breakout implements Example {
       world.setVelocity(BALL, vx, StrictMath.sqrt(SPEED * SPEED - vx * vx));
       returned++;
     } else if (line < PADDLE && world.contains(Kind.LINE, line)) { // else hit twice
-      for (int side = 0; side < SIDES; side++) {
-        world.remove(Kind.LINE, line / SIDES * SIDES + side);
-      }
+      world.remove(Kind.LINE, line);
       bricks--;
     }
   }
@@ -136,7 +130,7 @@ public final class Breakout implements Example {
   public void draw(Graphics2D g, Rectangle2D area) {
     drawing.withScene(WorldScene.of(world)).withArrowTime(0).draw(g, area, Still.of(world));
     for (int i = 0; i < BRICKS; i++) {
-      if (world.contains(Kind.LINE, i * SIDES)) {
+      if (world.contains(Kind.LINE, i)) {
         g.setColor(COLORS[i / COLUMNS]);
         g.fill(drawing.transform(area).createTransformedShape(brick(i)));
       }

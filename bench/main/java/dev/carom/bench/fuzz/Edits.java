@@ -4,10 +4,12 @@ package dev.carom.bench.fuzz;
 import dev.carom.Circle;
 import dev.carom.Kind;
 import dev.carom.Line;
+import dev.carom.Outline;
 import dev.carom.Snapshot;
 import dev.carom.Traits;
 import dev.carom.Vec2;
 import dev.carom.World;
+import dev.carom.bench.charts.Sides;
 import java.util.Random;
 
 /** Random edits; one that is refused must leave the world as it was. */
@@ -94,7 +96,10 @@ final class Edits {
   private void moveObstacle() {
     boolean line = random.nextBoolean();
     int id = some(line ? Kind.LINE : Kind.PEG);
-    if (id >= 0 && line) {
+    if (id >= 0 && line && world.shape(Kind.LINE, id) instanceof Outline outline) {
+      Vec2 by = new Vec2(numbers.step(), numbers.step());
+      world.setShape(Kind.LINE, id, Sides.moved(outline, by));
+    } else if (id >= 0 && line) {
       world.setShape(Kind.LINE, id, new Line(numbers.x(), numbers.y(), numbers.x(), numbers.y()));
     } else if (id >= 0) {
       world.setShape(Kind.PEG, id, new Circle(numbers.x(), numbers.y(), numbers.pegRadius()));
@@ -117,13 +122,17 @@ final class Edits {
     }
   }
 
+  private boolean isSolid(int line) {
+    return world.shape(Kind.LINE, line) instanceof Outline outline && outline.solid();
+  }
+
   private void setTraits() {
     Kind kind = Kind.values()[random.nextInt(4)];
     int id = some(kind);
     if (id >= 0) {
       world.setTraits(kind, id, world.traits(kind, id).withResponse(draws.response(kind)));
     }
-    if (id >= 0 && kind == Kind.LINE && draws.hasTraits()) {
+    if (id >= 0 && kind == Kind.LINE && draws.hasTraits() && !isSolid(id)) {
       world.setTraits(
           Kind.LINE, id, world.traits(Kind.LINE, id).withOneWay(random.nextInt(3) == 0));
     }

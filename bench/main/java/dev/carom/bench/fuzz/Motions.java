@@ -3,11 +3,11 @@ package dev.carom.bench.fuzz;
 
 import dev.carom.Circle;
 import dev.carom.Kind;
-import dev.carom.Line;
 import dev.carom.SceneBuilder;
 import dev.carom.Snapshot;
 import dev.carom.Vec2;
 import dev.carom.World;
+import dev.carom.bench.charts.Sides;
 import java.util.NavigableSet;
 import java.util.Random;
 import java.util.TreeSet;
@@ -111,7 +111,6 @@ final class Motions {
       Circle peg = world.peg(id);
       return peg.center();
     }
-    Line line = world.line(id);
-    return new Vec2(line.ax(), line.ay());
+    return Sides.of(world.shape(kind, id)).get(0).start();
   }
 }

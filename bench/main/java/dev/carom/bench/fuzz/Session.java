@@ -29,6 +29,9 @@ final class Session {
   /** One of so many seeds in a row has obstacles that move, unless the end rule works there. */
   private static final int MOVING = 3;
 
+  /** One of so many seeds in a row has outlines, unless the end rule works there. */
+  private static final int JOINED = 13;
+
   /** Of one step: a corridor hardly wider than its circle would keep a session for hours. */
   private static final int MOST_IMPACTS = 2_000;
 
@@ -71,7 +74,9 @@ final class Session {
     boolean moves = ordinary && Math.floorMod(seed, MOVING) == MOVING - 1;
     motions = moves ? new Motions(seed, numbers) : null;
     falls = new Falls(seed, numbers);
-    draws = new SessionScene(random, numbers, filters, falls, variation, crowded, motions);
+    int outlines = Math.floorMod(seed, JOINED) == 4 ? 1 + Math.floorMod(seed, 3) : 0;
+    draws =
+        new SessionScene(random, numbers, filters, falls, variation, crowded, motions, outlines);
     edited = ordinary || random.nextInt(3) == 0;
     ends = ordinary ? null : endScene(Math.floorDiv(seed, ENDS));
     scene = ordinary ? draws.build() : ends.scene();

@@ -2,6 +2,7 @@
 package dev.carom.bench.fuzz;
 
 import dev.carom.Kind;
+import dev.carom.Outline;
 import dev.carom.Response;
 import dev.carom.Scene;
 import dev.carom.SceneBuilder;
@@ -36,6 +37,9 @@ final class SessionScene {
   /** Null where obstacles rest. */
   private final Motions motions;
 
+  /** The number of outlines. */
+  private final int outlines;
+
   SessionScene(
       Random random,
       Numbers numbers,
@@ -43,7 +47,8 @@ final class SessionScene {
       Falls falls,
       Variation variation,
       boolean crowded,
-      Motions motions) {
+      Motions motions,
+      int outlines) {
     this.random = random;
     this.numbers = numbers;
     this.filters = filters;
@@ -55,6 +60,7 @@ final class SessionScene {
     masses = random.nextBoolean();
     this.crowded = crowded;
     this.motions = motions;
+    this.outlines = outlines;
   }
 
   boolean hasTraits() {
@@ -80,6 +86,7 @@ final class SessionScene {
       filters.draw(builder);
       move();
     }
+    addOutlines();
     int pegs = random.nextInt(4);
     for (int i = 0; i < pegs; i++) {
       double x = numbers.x();
@@ -110,6 +117,51 @@ final class SessionScene {
     } else {
       builder.line(x, y, numbers.x(), numbers.y());
     }
+  }
+
+  private void addOutlines() {
+    for (int i = 0; i < outlines; i++) {
+      double x = numbers.x();
+      double y = numbers.y();
+      double size = (1 + random.nextInt(3)) * numbers.length();
+      builder.outline(random.nextInt(3) == 0 ? polyline(x, y, size) : polygon(x, y, size));
+      builder.restitution(restitution()).response(response(Kind.LINE));
+      filters.draw(builder);
+      move();
+    }
+  }
+
+  /** With joints of any angle, some of them level, and perhaps closed. */
+  private Outline polyline(double x, double y, double size) {
+    double[] xy = new double[2 * (3 + random.nextInt(4))];
+    for (int k = 0; k < xy.length; k += 2) {
+      xy[k] = x + k * size / 4;
+      xy[k + 1] = y + random.nextInt(3) * size / 2;
+    }
+    if (random.nextBoolean()) {
+      xy[xy.length - 2] = xy[0];
+      xy[xy.length - 1] = xy[1];
+    }
+    return Outline.polyline(xy);
+  }
+
+  /** A rectangle, or a star of round or of any coordinates, in either direction. */
+  private Outline polygon(double x, double y, double size) {
+    if (random.nextInt(3) == 0) {
+      return Outline.rectangle(x, y, x + size, y + (1 + random.nextInt(2)) * size / 2);
+    }
+    int n = 3 + random.nextInt(6);
+    double way = random.nextBoolean() ? 1 : -1;
+    boolean round = random.nextBoolean();
+    double[] xy = new double[2 * n];
+    for (int i = 0; i < n; i++) {
+      double angle = 2 * Math.PI * (i + 0.3 * random.nextDouble()) / n * way;
+      double radius = size * (0.3 + random.nextDouble());
+      double unit = round ? size / 64 : size / 0x1p30;
+      xy[2 * i] = x + Math.rint(radius * Math.cos(angle) / unit) * unit;
+      xy[2 * i + 1] = y + Math.rint(radius * Math.sin(angle) / unit) * unit;
+    }
+    return Outline.polygon(xy);
   }
 
   private void addCircles() {

@@ -4,9 +4,14 @@ package dev.carom.bench.fuzz;
 import dev.carom.Circle;
 import dev.carom.Kind;
 import dev.carom.Line;
+import dev.carom.Obstacle;
+import dev.carom.Outline;
 import dev.carom.Response;
 import dev.carom.Vec2;
 import dev.carom.World;
+import dev.carom.bench.charts.Sides;
+import java.awt.geom.Line2D;
+import java.awt.geom.Path2D;
 import java.util.ArrayList;
 import java.util.List;
 
@@ -14,9 +19,11 @@ import java.util.List;
  * A line or a peg that a circle can meet and that is no sensor.
  *
  * @param axis the line, or the peg's centre, at the start of a flight
+ * @param whole all that is solid with it: the sides of a polygon, else the axis alone
  * @param radius of the peg, 0 of a line
  */
-record Solid(String name, Line axis, double radius, Vec2 velocity, boolean oneWay) {
+record Solid(
+    String name, Line axis, List<Line> whole, double radius, Vec2 velocity, boolean oneWay) {
 
   /** All that a flight may meet. */
   static List<Solid> of(World world, Flight f) {
@@ -25,8 +32,13 @@ record Solid(String name, Line axis, double radius, Vec2 velocity, boolean oneWa
     for (int id : world.ids(Kind.LINE)) {
       if (isSolid(world, f, Kind.LINE, id)) {
         Vec2 u = world.velocity(Kind.LINE, id);
-        Line axis = before(world.line(id), u, ago);
-        solids.add(new Solid("line " + id, axis, 0, u, world.traits(Kind.LINE, id).oneWay()));
+        boolean oneWay = world.traits(Kind.LINE, id).oneWay();
+        List<Line> sides = sides(world.shape(Kind.LINE, id), f, u, ago);
+        boolean isWhole = isPolygon(world.shape(Kind.LINE, id));
+        for (Line side : sides) {
+          List<Line> whole = isWhole ? sides : List.of(side);
+          solids.add(new Solid("line " + id, side, whole, 0, u, oneWay));
+        }
       }
     }
     for (int id : world.ids(Kind.PEG)) {
@@ -34,10 +46,25 @@ record Solid(String name, Line axis, double radius, Vec2 velocity, boolean oneWa
         Vec2 u = world.velocity(Kind.PEG, id);
         Circle peg = world.peg(id);
         Line axis = before(new Line(peg.x(), peg.y(), peg.x(), peg.y()), u, ago);
-        solids.add(new Solid("peg " + id, axis, peg.radius(), u, false));
+        solids.add(new Solid("peg " + id, axis, List.of(axis), peg.radius(), u, false));
       }
     }
     return solids;
+  }
+
+  /** The sides at the start of a flight; none of a polygon in which that starts. */
+  private static List<Line> sides(Obstacle shape, Flight f, Vec2 u, double ago) {
+    List<Line> sides = Sides.of(shape).stream().map(side -> before(side, u, ago)).toList();
+    if (isPolygon(shape)) {
+      Path2D polygon = new Path2D.Double();
+      sides.forEach(s -> polygon.append(new Line2D.Double(s.ax(), s.ay(), s.bx(), s.by()), true));
+      return polygon.contains(f.px(), f.py()) ? List.of() : sides;
+    }
+    return sides;
+  }
+
+  private static boolean isPolygon(Obstacle shape) {
+    return shape instanceof Outline outline && outline.solid();
   }
 
   private static boolean isSolid(World world, Flight f, Kind kind, int id) {
@@ -57,14 +84,21 @@ record Solid(String name, Line axis, double radius, Vec2 velocity, boolean oneWa
     return !velocity.equals(Vec2.ZERO);
   }
 
-  /** How far a place is from the axis at the start of the flight. */
+  /** How far a place is from the whole at the start of the flight. */
   double distance(double x, double y) {
-    Vec2 offset = offset(x, y);
-    return Math.hypot(offset.x(), offset.y());
+    return whole.stream()
+        .map(line -> offset(line, x, y))
+        .mapToDouble(offset -> Math.hypot(offset.x(), offset.y()))
+        .min()
+        .orElseThrow();
   }
 
   /** From the nearest point of the axis to a place, at the start of the flight. */
   Vec2 offset(double x, double y) {
+    return offset(axis, x, y);
+  }
+
+  private static Vec2 offset(Line axis, double x, double y) {
     double wx = axis.bx() - axis.ax();
     double wy = axis.by() - axis.ay();
     double dx = x - axis.ax();

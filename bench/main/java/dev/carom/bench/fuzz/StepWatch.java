@@ -3,6 +3,7 @@ package dev.carom.bench.fuzz;
 
 import dev.carom.ImpactLog;
 import dev.carom.Kind;
+import dev.carom.Line;
 import dev.carom.Outcome;
 import dev.carom.Scene;
 import dev.carom.Snapshot;
@@ -10,6 +11,7 @@ import dev.carom.Timeline;
 import dev.carom.UnfinishedException;
 import dev.carom.Vec2;
 import dev.carom.World;
+import dev.carom.bench.charts.Sides;
 import java.util.Set;
 
 /** Steps a world and checks each step by all rules, without the library's detector. */
@@ -206,8 +208,9 @@ final class StepWatch {
       rounding.keepSpeed(world.vx(id), world.vy(id));
     }
     for (int id : world.ids(Kind.LINE)) {
-      var line = world.line(id);
-      rounding.keepPlace(line.ax(), line.ay(), line.bx(), line.by());
+      for (Line side : Sides.of(world.shape(Kind.LINE, id))) {
+        rounding.keepPlace(side.ax(), side.ay(), side.bx(), side.by());
+      }
       keepSpeed(world.velocity(Kind.LINE, id));
     }
     for (int id : world.ids(Kind.PEG)) {

@@ -8,6 +8,7 @@ import dev.carom.Kind;
 import dev.carom.Line;
 import dev.carom.Scene;
 import dev.carom.Vec2;
+import dev.carom.bench.charts.Sides;
 import java.util.stream.IntStream;
 
 /**
@@ -58,10 +59,12 @@ public final class PlainScene {
   /**
    * Refuses obstacles that move.
    *
-   * @throws UnsupportedOperationException if a line or a peg moves, or a side of the bounds is open
+   * @throws UnsupportedOperationException if a line or a peg moves, or a side of the bounds is
+   *     open, or there is an outline
    */
   public static Scene checkRest(Scene scene) {
     refuse(isOpen(scene), "its bounds are open", "four walls or none");
+    refuse(Sides.areJoined(scene), "it has outlines", "single lines");
     refuse(!isAtRest(scene), "lines or pegs move", "obstacles at rest");
     return scene;
   }

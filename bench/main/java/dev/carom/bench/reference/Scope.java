@@ -3,6 +3,7 @@ package dev.carom.bench.reference;
 
 import dev.carom.Filter;
 import dev.carom.Kind;
+import dev.carom.Outline;
 import dev.carom.Response;
 import dev.carom.Scene;
 import dev.carom.Vec2;
@@ -31,6 +32,10 @@ final class Scope {
       bounces("bounds", scene, Kind.WALL, 0);
     }
     for (int i = 0; i < scene.count(Kind.LINE); i++) {
+      if (scene.shape(Kind.LINE, i) instanceof Outline) {
+        throw new IllegalArgumentException(
+            "line " + i + " is an outline: a reference expects single lines");
+      }
       bounces("line", scene, Kind.LINE, i);
       rests("line", i, scene.velocity(Kind.LINE, i));
       if (scene.traits(Kind.LINE, i).oneWay()) {

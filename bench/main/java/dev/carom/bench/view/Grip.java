@@ -6,8 +6,11 @@ import dev.carom.Filter;
 import dev.carom.Kind;
 import dev.carom.Line;
 import dev.carom.Nearest;
+import dev.carom.Outline;
 import dev.carom.Vec2;
 import dev.carom.World;
+import dev.carom.bench.charts.Sides;
+import java.util.Optional;
 
 /**
  * The thing that the mouse holds: a circle, a peg, a line as a whole, or one of its ends. A circle
@@ -82,16 +85,14 @@ final class Grip {
     if (peg >= 0) {
       return new Grip(player, Part.PEG, peg, point, world.peg(peg).center(), Vec2.ZERO);
     }
-    int id =
-        world
-            .withFilter(Filter.ALL)
-            .nearest(point.x(), point.y(), Kind.LINE)
-            .map(Nearest::id)
-            .orElse(-1);
-    if (id < 0 || distance(world.line(id).closestPoint(point), point) > reach) {
+    Optional<Nearest> near = world.withFilter(Filter.ALL).nearest(point.x(), point.y(), Kind.LINE);
+    int id = near.map(Nearest::id).orElse(-1);
+    if (id < 0 || near.get().distance() > reach) {
       return null;
     }
-    Line line = world.line(id);
+    if (!(world.shape(Kind.LINE, id) instanceof Line line)) {
+      return new Grip(player, Part.LINE, id, point, point, Vec2.ZERO);
+    }
     Part part =
         distance(new Vec2(line.ax(), line.ay()), point) <= reach
             ? Part.START
@@ -154,6 +155,8 @@ final class Grip {
       player.moveCircle(id, to.x(), to.y());
     } else if (part == Part.PEG) {
       player.movePeg(id, to.x(), to.y());
+    } else if (player.look().shape(Kind.LINE, id) instanceof Outline outline) {
+      player.moveLine(id, Sides.moved(outline, by));
     } else {
       Line l = player.look().line(id);
       double a = part == Part.END ? 0 : 1;

@@ -4,6 +4,7 @@ package dev.carom.bench.view;
 import dev.carom.Circle;
 import dev.carom.Kind;
 import dev.carom.Line;
+import dev.carom.Obstacle;
 import dev.carom.Scene;
 import dev.carom.Timeline;
 import dev.carom.Traits;
@@ -354,8 +355,8 @@ public final class Player {
   }
 
   /** Puts a line elsewhere. */
-  public void moveLine(int id, Line to) {
-    editable().setShape(Kind.LINE, id, new Line(to.ax(), to.ay(), to.bx(), to.by()));
+  public void moveLine(int id, Obstacle to) {
+    editable().setShape(Kind.LINE, id, to);
   }
 
   /**

@@ -4,10 +4,12 @@ package dev.carom.internal.engine;
 import dev.carom.internal.state.CircleRegistry;
 import dev.carom.internal.state.CircleTable;
 import dev.carom.internal.state.Codes;
+import dev.carom.internal.state.ContactFlags;
 import dev.carom.internal.state.FilterBits;
 import dev.carom.internal.state.MovingCircle;
 import dev.carom.internal.state.ObstacleRows;
 import dev.carom.internal.state.ObstacleTable;
+import dev.carom.internal.state.OutlinePoints;
 import dev.carom.internal.state.SceneData;
 import dev.carom.internal.state.SizeLimits;
 import dev.carom.internal.state.TraitValues;
@@ -176,7 +178,7 @@ public final class Editor {
   private IllegalArgumentException named(IllegalArgumentException e, int code) {
     return Codes.isCircle(code)
         ? named(e, KindNumber.CIRCLE, registry.id(Codes.slot(code)))
-        : named(e, Codes.kind(code), Codes.index(code));
+        : named(e, Codes.kind(code), obstacles.id(code));
   }
 
   /** Loads a circle at the start of a new flight, now, which nothing carries. */
@@ -225,17 +227,44 @@ public final class Editor {
       double now) {
     set(first, second, third, fourth);
     ObstacleRows rows = obstacles.ofKind(kind);
-    checkId(kind, rows.count(), Codes.limit(kind));
-    check(rows, rows.end);
-    check(traits, rows.end);
-    if (kind == KindNumber.LINE) {
-      checkNoPoint(rows.end);
-    }
+    checkNew(rows, 1, () -> check(rows), traits);
     int code = obstacles.add(kind, numbers);
-    traits.set(obstacles, code);
     keepPlace(rows);
-    engine.appeared(code, now);
-    return Codes.index(code);
+    return added(code, traits, now);
+  }
+
+  /** Adds an outline. */
+  public int add(OutlinePoints outline, TraitValues traits, double now) {
+    ObstacleRows rows = obstacles.lines;
+    checkNew(rows, outline.sides(), () -> check(outline), traits);
+    if (outline.isSolid() && ContactFlags.isOneWay(traits.flags())) {
+      throw named(
+          Check.refused("oneWay", true, ContactFlags.NOT_ONE_WAY), rows.kind(), rows.idLimit());
+    }
+    int code = obstacles.add(outline);
+    keepPlace(outline);
+    return added(code, traits, now);
+  }
+
+  private int added(int code, TraitValues traits, double now) {
+    traits.set(obstacles, code);
+    obstacles.codesOf(code).forEach(each -> engine.appeared(each, now));
+    return obstacles.id(code);
+  }
+
+  /** Refuses an obstacle of so many rows whose shape or traits cannot be. */
+  private void checkNew(ObstacleRows rows, int count, Runnable shape, TraitValues traits) {
+    int id = rows.idLimit();
+    checkId(rows.kind(), rows.count() + count - 1, Codes.limit(rows.kind()));
+    try {
+      shape.run();
+      traits.check(rows.kind());
+    } catch (IllegalArgumentException e) {
+      throw named(e, rows.kind(), id);
+    }
+    if (rows.kind() == KindNumber.LINE) {
+      checkNoPoint(id);
+    }
   }
 
   private boolean haveLines() {
@@ -247,7 +276,8 @@ public final class Editor {
     for (int slot : registry.slots()) {
       if (circles.radius(slot) == 0) {
         String name = "radius of " + KindNumber.nameOf(KindNumber.CIRCLE, registry.id(slot));
-        throw named(Check.refused(name, 0.0, "more than 0, for a line to be added"), line);
+        throw named(
+            Check.refused(name, 0.0, "more than 0, for a line to be added"), KindNumber.LINE, line);
       }
     }
   }
@@ -263,6 +293,34 @@ public final class Editor {
     engine.appeared(code, now);
   }
 
+  /** Gives an outline another place and shape, of as many sides. */
+  public void move(int code, OutlinePoints outline, double now) {
+    int sides = obstacles.endOf(code) - code;
+    boolean isSolid = obstacles.outside(code) != 0;
+    if (outline.sides() != sides || outline.isSolid() != isSolid) {
+      throw Check.refused(
+          "shape of " + KindNumber.nameOf(KindNumber.LINE, obstacles.id(code)),
+          text(outline.sides(), outline.isSolid()),
+          text(sides, isSolid) + ", as it is now");
+    }
+    try {
+      check(outline);
+    } catch (IllegalArgumentException e) {
+      throw named(e, code);
+    }
+    obstacles.codesOf(code).forEach(engine::forget);
+    for (int i = 0; i < sides; i++) {
+      obstacles.move(code + i, outline.side(i), now);
+      obstacles.setOutside(code + i, outline.outside());
+    }
+    keepPlace(outline);
+    obstacles.codesOf(code).forEach(each -> engine.appeared(each, now));
+  }
+
+  private static String text(int sides, boolean isSolid) {
+    return (isSolid ? "a solid outline of " : "an open outline of ") + sides + " sides";
+  }
+
   private void set(double first, double second, double third, double fourth) {
     numbers[0] = first;
     numbers[1] = second;
@@ -273,7 +331,10 @@ public final class Editor {
   /** Lets a line or a peg move with a velocity, from now on. */
   public void setObstacleVelocity(int code, double vx, double vy, double now) {
     checkVelocity(code, vx, vy);
-    engine.setVelocity(code, vx, vy, now);
+    int end = obstacles.endOf(code);
+    for (int each = code; each < end; each++) {
+      engine.setVelocity(each, vx, vy, now);
+    }
   }
 
   /** Lets a line or a peg go straight to a place, be there at a time, and then rest. */
@@ -298,28 +359,60 @@ public final class Editor {
       throw named(
           Check.refused("arrival", arrival, "late enough after " + now + " for this way"), code);
     }
+    double fromX = numbers[ObstacleShape.X];
+    double fromY = numbers[ObstacleShape.Y];
     ObstacleRows rows = obstacles.of(code);
-    int end = rows.shape.toEnd; // 0 of what has one place only
-    double endX = x + (numbers[end + ObstacleShape.X] - numbers[ObstacleShape.X]);
-    double endY = y + (numbers[end + ObstacleShape.Y] - numbers[ObstacleShape.Y]);
-    numbers[end + ObstacleShape.X] = endX;
-    numbers[end + ObstacleShape.Y] = endY;
-    numbers[ObstacleShape.X] = x;
-    numbers[ObstacleShape.Y] = y;
-    check(rows, code);
+    int end = obstacles.endOf(code);
+    for (int each = code; each < end; each++) {
+      obstacles.numbersAt(each, now, numbers);
+      bring(rows, fromX, fromY, x, y);
+      check(rows, code);
+    }
     boolean rests = ux == 0 && uy == 0;
-    engine.moveTo(code, numbers, ux, uy, now, rests ? INFINITE : arrival);
-    keepPlace(rows);
+    for (int each = code; each < end; each++) {
+      obstacles.numbersAt(each, now, numbers);
+      bring(rows, fromX, fromY, x, y);
+      engine.moveTo(each, numbers, ux, uy, now, rests ? INFINITE : arrival);
+      keepPlace(rows);
+    }
+  }
+
+  /**
+   * Moves the places of the numbers by the way from one place to another: what is at the first one
+   * comes to the other to the bit, and what is equal stays so.
+   */
+  private void bring(ObstacleRows rows, double fromX, double fromY, double toX, double toY) {
+    for (int k = 0; k < rows.shape.coordinates; k += 2) {
+      numbers[k + ObstacleShape.X] = toX + (numbers[k + ObstacleShape.X] - fromX);
+      numbers[k + ObstacleShape.Y] = toY + (numbers[k + ObstacleShape.Y] - fromY);
+    }
   }
 
   private void check(ObstacleRows rows, int code) {
     try {
-      for (int i = 0; i < rows.shape.coordinates; i++) {
-        limits.checkCoordinate(rows.shape.numbers.get(i), numbers[i]);
-      }
-      rows.shape.checkRadius(numbers);
+      check(rows);
     } catch (IllegalArgumentException e) {
       throw named(e, code);
+    }
+  }
+
+  private void check(ObstacleRows rows) {
+    for (int i = 0; i < rows.shape.coordinates; i++) {
+      limits.checkCoordinate(rows.shape.numbers.get(i), numbers[i]);
+    }
+    rows.shape.checkRadius(numbers);
+  }
+
+  private void check(OutlinePoints outline) {
+    for (int i = 0; i < outline.count(); i++) {
+      limits.checkCoordinate("points[" + i + "].x", outline.x(i));
+      limits.checkCoordinate("points[" + i + "].y", outline.y(i));
+    }
+  }
+
+  private void keepPlace(OutlinePoints outline) {
+    for (int i = 0; i < outline.count(); i++) {
+      limits.keepPlace(outline.x(i), outline.y(i));
     }
   }
 
@@ -339,9 +432,12 @@ public final class Editor {
       registry.remove(Codes.slot(code));
       engine.remove(Codes.slot(code));
     } else {
-      engine.forget(code);
-      obstacles.remove(code);
-      engine.changed(code, now);
+      int[] all = obstacles.codesOf(code).toArray();
+      for (int each : all) {
+        engine.forget(each);
+        obstacles.remove(each);
+        engine.changed(each, now);
+      }
     }
   }
 
@@ -358,6 +454,9 @@ public final class Editor {
   private void check(TraitValues traits, int code) {
     try {
       traits.check(Codes.kind(code));
+      if (ContactFlags.isOneWay(traits.flags()) && obstacles.outside(code) != 0) {
+        throw Check.refused("oneWay", true, ContactFlags.NOT_ONE_WAY);
+      }
     } catch (IllegalArgumentException e) {
       throw named(e, code);
     }
@@ -387,12 +486,10 @@ public final class Editor {
 
   private void setTraitsOfObstacle(int code, TraitValues traits, double now) {
     if (traits.restitution() != obstacles.givenRestitution(code)) {
-      obstacles.setRestitution(code, traits.restitution());
-      engine.noteContact(code, now);
-      engine.noteObstacle(code, now);
+      obstacles.codesOf(code).forEach(each -> setRestitution(each, traits.restitution(), now));
     }
     long before = obstacles.filter(code);
-    if (traits.filter() == before && traits.flags() == obstacles.traits(code)) {
+    if (traits.filter() == before && traits.areFlagsOf(obstacles, code)) {
       return;
     }
     if (Codes.isWall(code)) {
@@ -401,10 +498,15 @@ public final class Editor {
       engine.noteContact(code, now);
       changed.forEach(engine::beginFlight);
     } else {
-      engine.forget(code);
-      traits.set(obstacles, code);
-      engine.appeared(code, now);
+      obstacles.codesOf(code).forEach(engine::forget);
+      added(code, traits, now);
     }
+  }
+
+  private void setRestitution(int code, double e, double now) {
+    obstacles.setRestitution(code, e);
+    engine.noteContact(code, now);
+    engine.noteObstacle(code, now);
   }
 
   /** Restarts the circles that can meet walls of one filter, but not of the other. */

@@ -25,7 +25,7 @@ public final class Handles {
   public boolean contains(int kind, int id) {
     return kind == KindNumber.CIRCLE
         ? registry.slot(id) >= 0
-        : id >= 0 && id < end(kind) && obstacles.isThere(code(kind, id));
+        : id >= 0 && id < end(kind) && obstacles.isThere(obstacles.code(kind, id));
   }
 
   /** One more than the largest id ever given. */
@@ -42,7 +42,10 @@ public final class Handles {
     return slot;
   }
 
-  /** The code of an obstacle or a circle; refuses an id that does not exist. */
+  /**
+   * The code of an obstacle or a circle; of an outline, that of its first side. Refuses an id that
+   * does not exist.
+   */
   public int checked(int kind, int id) {
     if (!contains(kind, id)) {
       throw missing(kind, id);
@@ -51,7 +54,7 @@ public final class Handles {
   }
 
   private int code(int kind, int id) {
-    return kind == KindNumber.CIRCLE ? Codes.circle(registry.slot(id)) : Codes.of(kind, id);
+    return kind == KindNumber.CIRCLE ? Codes.circle(registry.slot(id)) : obstacles.code(kind, id);
   }
 
   private IndexOutOfBoundsException missing(int kind, int id) {

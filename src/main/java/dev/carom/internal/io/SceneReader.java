@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 package dev.carom.internal.io;
 
+import dev.carom.internal.state.OutlinePoints;
 import dev.carom.internal.state.SceneData;
 import dev.carom.internal.state.SceneDataBuilder;
 import dev.carom.internal.util.IntList;
@@ -17,6 +18,8 @@ final class SceneReader {
 
   private static final int RADIUS = SceneRowKind.CIRCLE.names().indexOf("radius");
   private static final int MASS = SceneRowKind.CIRCLE.names().indexOf("mass");
+
+  private static final String SOLID = "solid";
 
   private final SceneDataBuilder builder = new SceneDataBuilder();
 
@@ -55,6 +58,7 @@ final class SceneReader {
       switch (row.kind()) {
         case WALL -> wall(row);
         case LINE -> builder.obstacle(KindNumber.LINE, row.numbers());
+        case OUTLINE -> builder.outline(outline(row));
         case PEG -> builder.obstacle(KindNumber.PEG, row.numbers());
         case CIRCLE -> circle(row);
         case COLLIDE -> collide(row);
@@ -77,6 +81,20 @@ final class SceneReader {
       case "inf", "Infinity" -> Double.POSITIVE_INFINITY;
       default -> row.number(field);
     };
+  }
+
+  private static OutlinePoints outline(SceneRow row) throws RowException {
+    double[] xy = row.numbers();
+    if (xy.length % 2 != 0) {
+      throw row.error(row.plain(), "y is missing: expected " + row.kind().shape());
+    }
+    boolean isSolid = false;
+    for (int i = row.plain(); i < row.size(); i++) {
+      if (row.key(i).equals(SOLID)) {
+        isSolid = flag(row, i, SOLID, row.value(i));
+      }
+    }
+    return new OutlinePoints(xy, isSolid);
   }
 
   private void circle(SceneRow row) throws RowException {
@@ -153,11 +171,11 @@ final class SceneReader {
       vx = row.option(i);
     } else if (key.equals("vy") && moves(row)) {
       vy = row.option(i);
-    } else if (key.equals("oneway") && row.kind() == SceneRowKind.LINE) {
+    } else if (key.equals("oneway") && isOfLines(row)) {
       if (flag(row, i, "oneway", row.value(i))) {
         builder.oneWay();
       }
-    } else {
+    } else if (!key.equals(SOLID) || row.kind() != SceneRowKind.OUTLINE) {
       throw row.error(i, "key " + SceneText.quoted(key) + " is unknown: expected " + keys(row));
     }
   }
@@ -177,6 +195,7 @@ final class SceneReader {
     String all = "restitution=NUMBER, response=WORD, category=INTEGER";
     return switch (row.kind()) {
       case LINE -> all + ", mask=INTEGER, vx=NUMBER, vy=NUMBER or oneway=0|1";
+      case OUTLINE -> all + ", mask=INTEGER, vx=NUMBER, vy=NUMBER, oneway=0|1 or solid=0|1";
       case PEG -> all + ", mask=INTEGER, vx=NUMBER or vy=NUMBER";
       default -> all + " or mask=INTEGER";
     };
@@ -184,7 +203,11 @@ final class SceneReader {
 
   /** Whether the things of a kind of rows may have a velocity as an option. */
   private static boolean moves(SceneRow row) {
-    return row.kind() == SceneRowKind.LINE || row.kind() == SceneRowKind.PEG;
+    return isOfLines(row) || row.kind() == SceneRowKind.PEG;
+  }
+
+  private static boolean isOfLines(SceneRow row) {
+    return row.kind() == SceneRowKind.LINE || row.kind() == SceneRowKind.OUTLINE;
   }
 
   private static int response(SceneRow row, int i) throws RowException {

@@ -58,7 +58,7 @@ final class SceneRow {
       n++;
     }
     if (n < kind.required()) {
-      throw error(n, kind.names().get(n) + " is missing: expected " + kind.shape());
+      throw error(n, kind.name(n) + " is missing: expected " + kind.shape());
     }
     if (n > kind.allowed()) {
       String excess = SceneText.quoted(fields[kind.allowed()]) + " is one field too many";
@@ -131,7 +131,7 @@ final class SceneRow {
   private double number(int i, String text) throws RowException {
     double number = SceneText.finite(text);
     if (Double.isNaN(number)) {
-      String name = i < plain ? kind.names().get(i) : key(i);
+      String name = i < plain ? kind.name(i) : key(i);
       throw error(i, name + " is " + SceneText.quoted(text) + ": expected a finite number");
     }
     return number;
@@ -142,16 +142,22 @@ final class SceneRow {
     return new RowException(line, columns[i], reason);
   }
 
+  /** The field of a point that is refused, as "points[1]"; the first one of all points. */
+  private static int place(String property) {
+    int end = property.indexOf(']');
+    return end < 0 ? 1 : 1 + 2 * Integer.parseInt(property.substring("points[".length(), end));
+  }
+
   /** Locates a refused value: an error at the field that holds the property. */
   RowException error(IllegalArgumentException refusal) throws RowException {
     String property = Refusal.property(refusal);
     int i = kind.names().indexOf(property);
     if (i < 0) {
       i = plain;
-      while (!key(i).equals(property)) {
+      while (i < size() && !key(i).equals(property)) {
         i++;
       }
     }
-    return error(i, Refusal.reason(refusal));
+    return error(i < size() ? i : place(property), Refusal.reason(refusal));
   }
 }

@@ -10,6 +10,7 @@ import java.util.regex.Pattern;
 public enum SceneRowKind {
   WALL("wall,xmin,ymin,xmax,ymax"),
   LINE("line,ax,ay,bx,by"),
+  OUTLINE("outline,x,y,x,y,..."),
   PEG("peg,x,y,radius"),
   CIRCLE("circle,x,y,radius,vx,vy[,mass]"),
   COLLIDE("collide,0|1"),
@@ -28,8 +29,10 @@ public enum SceneRowKind {
   SceneRowKind(String shape) {
     this.shape = shape;
     word = names().get(0);
-    allowed = names().size();
-    required = allowed - (shape.endsWith("]") ? 1 : 0);
+    int fields = names().size();
+    boolean isOpen = shape.endsWith("...");
+    allowed = isOpen ? Integer.MAX_VALUE : fields;
+    required = fields - (isOpen || shape.endsWith("]") ? 1 : 0);
   }
 
   /** The kind whose rows begin with the given word; null if there is none. */
@@ -57,6 +60,11 @@ public enum SceneRowKind {
   /** The form of such a row; a part in brackets is optional. */
   String shape() {
     return shape;
+  }
+
+  /** The name of a field, of which there may be more than names. */
+  String name(int field) {
+    return this == OUTLINE && field > 0 ? field % 2 == 1 ? "x" : "y" : names().get(field);
   }
 
   /** The names of the fields; field 0 is the word for the kind. */

@@ -6,6 +6,7 @@ import dev.carom.internal.state.ContactFlags;
 import dev.carom.internal.state.FilterBits;
 import dev.carom.internal.state.ObstacleRows;
 import dev.carom.internal.state.ObstacleTable;
+import dev.carom.internal.state.OutlinePoints;
 import dev.carom.internal.state.SceneData;
 import java.io.IOException;
 
@@ -36,9 +37,13 @@ final class SceneWriter {
       end(obstacles.boundsRestitution, obstacles.boundsTraits, obstacles.filter(Codes.LEFT));
     }
     for (ObstacleRows rows : obstacles.kinds) {
-      for (int code = rows.first(); code < rows.end; code++) {
-        begin(rows.name());
-        numbers(rows.numbers(code));
+      for (int code = rows.first(); code < rows.end; code = rows.endOf(code)) {
+        if (obstacles.isOutline(code)) {
+          outline(obstacles, code);
+        } else {
+          begin(rows.name());
+          numbers(rows.numbers(code));
+        }
         velocity(obstacles.ux(code), obstacles.uy(code));
         end(obstacles.givenRestitution(code), rows.traits(code), obstacles.filter(code));
       }
@@ -48,6 +53,15 @@ final class SceneWriter {
       numbers(scene.x(i), scene.y(i), scene.radius(i), scene.vx(i), scene.vy(i));
       mass(scene.registry.mass(i));
       end(scene.restitution(i), scene.registry.traits(i), scene.registry.filter(i));
+    }
+  }
+
+  private void outline(ObstacleTable obstacles, int first) {
+    OutlinePoints outline = obstacles.outline(first);
+    begin("outline");
+    numbers(outline.xy());
+    if (outline.isSolid()) {
+      row.append(",solid=1");
     }
   }
 

@@ -54,6 +54,17 @@ final class SnapshotChecks {
     }
   }
 
+  /** Refuses numbers of sides that are not ascending, or not those of lines. */
+  static void joined(int[] sides, int lines) {
+    int least = 1;
+    for (int side : sides) {
+      if (side < least || side >= lines) {
+        throw Check.refused("joined line", side, least + " to " + (lines - 1) + ", ascending");
+      }
+      least = side + 1;
+    }
+  }
+
   void all() {
     Check.notNegative("now", now);
     Check.finite("gx", state.gx());
@@ -100,8 +111,7 @@ final class SnapshotChecks {
   }
 
   private static void traits(int traits, int most) {
-    boolean known = traits >= 0 && traits <= most && (traits & 3) != 3;
-    expect(known, "traits are ", traits);
+    expect(ContactFlags.areKnown(traits, most), "traits are ", traits);
   }
 
   private void motions(ObstacleMotions motions) {
@@ -126,12 +136,29 @@ final class SnapshotChecks {
     for (int code = rows.first(); code < rows.end; code++) {
       int most = Codes.isLine(code) ? ContactFlags.MOST_OF_LINES : ContactFlags.MOST;
       traits(rows.traits(code), most);
+      if (rows.isJoined(code)) {
+        joined(rows, code);
+      } else if (obstacles.outside(code) != 0) {
+        expect(rows.meet(rows.endOf(code) - 1, code), "a polygon is open at line ", rows.id(code));
+      }
       double extent = obstacles.isStatic(code) ? obstacles.extent(code) : 0;
       if (extent > limits.largest()) {
         throw Check.refused(
             "coordinate", extent, "at most the stored largest coordinate, " + limits.largest());
       }
     }
+  }
+
+  /** Tests that a side of an outline is one with the side before it. */
+  private void joined(ObstacleRows rows, int code) {
+    int last = code - 1;
+    boolean isOne =
+        rows.isGone(code) == rows.isGone(last)
+            && rows.traits(code) == rows.traits(last)
+            && obstacles.filter(code) == obstacles.filter(last)
+            && obstacles.moves(code) == obstacles.moves(last)
+            && (rows.isGone(code) || rows.meet(last, code));
+    expect(isOne, "sides are not joined in line ", rows.id(code));
   }
 
   private void motion(MovingCircle m) {

@@ -35,7 +35,7 @@ final class SnapshotFields {
   /** "CAROM" and a zero byte, which no text contains. */
   private static final long MARK = 0x4341524F4D00L;
 
-  private static final int VERSION = 12;
+  private static final int VERSION = 13;
 
   private final FieldStream f;
 
@@ -112,6 +112,11 @@ final class SnapshotFields {
       }
     }
     filters(given.filters(), count, (i, filter) -> obstacles.setFilter(given.first() + i, filter));
+    if (kind == KindNumber.LINE) {
+      int[] joined = f.integers(given.joined(), f.count(given.joined().length, count), 1);
+      SnapshotChecks.joined(joined, count);
+      obstacles.lines.join(joined);
+    }
   }
 
   private ObstacleMotions motions(ObstacleMotions given, int most) throws IOException {

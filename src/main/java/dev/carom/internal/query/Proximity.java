@@ -11,9 +11,12 @@ import dev.carom.internal.state.ObstacleTable;
 import dev.carom.internal.util.Index;
 import dev.carom.internal.util.IntList;
 import dev.carom.internal.util.KindNumber;
+import java.util.NavigableMap;
+import java.util.TreeMap;
 import java.util.function.DoubleSupplier;
 import java.util.function.IntConsumer;
 import java.util.function.IntPredicate;
+import java.util.stream.IntStream;
 
 /** Finds the obstacles that are near a point, or that overlap a {@link Region}. */
 public final class Proximity {
@@ -34,20 +37,36 @@ public final class Proximity {
   }
 
   /**
-   * The nearest obstacle of some kinds, {@link Index#NONE} if there is none; of equally near ones
-   * the first.
+   * The nearest obstacle of a kind, {@link Index#NONE} if there is none; of equally near ones the
+   * first. Of an outline it is a side.
    *
-   * @param from the first of the kinds
-   * @param to one more than the last
    * @param seen the codes that count
    */
-  public int nearest(int from, int to, double x, double y, IntPredicate seen) {
+  public int nearest(int kind, double x, double y, IntPredicate seen) {
     index.expect(1);
-    NearestItem nearest = new NearestItem(seen, code -> distance(code, x, y));
-    for (int kind = from; kind < to; kind++) {
-      search(nearest, kind, x, y);
+    int[] around = kind == KindNumber.LINE ? around(x, y, seen) : new int[0];
+    if (around.length > 0) {
+      return around[0];
     }
+    NearestItem nearest = new NearestItem(seen, code -> distance(code, x, y));
+    search(nearest, kind, x, y);
     return nearest.item();
+  }
+
+  /** The first sides of the solid polygons that contain a point, ascending. */
+  int[] around(double x, double y, IntPredicate seen) {
+    if (!obstacles.areSpecial()) {
+      return new int[0];
+    }
+    double now = clock.getAsDouble();
+    NavigableMap<Integer, Boolean> inside = new TreeMap<>();
+    for (int code : near(KindNumber.LINE, new BoxTree.Outside().set(-Double.MAX_VALUE, y, x, y))) {
+      if (obstacles.outside(code) != 0 && seen.test(code)) {
+        inside.merge(
+            obstacles.firstOf(code), obstacles.isCrossed(code, x, y, now), Boolean::logicalXor);
+      }
+    }
+    return inside.keySet().stream().filter(inside::get).mapToInt(code -> code).toArray();
   }
 
   private void search(NearestItem nearest, int kind, double x, double y) {
@@ -77,28 +96,32 @@ public final class Proximity {
   }
 
   /**
-   * The obstacles of some kinds that overlap a region, ascending.
+   * The obstacles of a kind that overlap a region, ascending; of an outline the sides that do, or,
+   * of a solid one around it, the first.
    *
-   * @param from the first of the kinds
-   * @param to one more than the last
    * @param seen the codes that count
    */
-  public int[] overlapping(int from, int to, Region region, IntPredicate seen) {
+  public int[] overlapping(int kind, Region region, IntPredicate seen) {
     index.expect(1);
     double now = clock.getAsDouble();
+    IntStream found =
+        IntStream.of(near(kind, region.outside))
+            .filter(code -> seen.test(code) && region.overlaps(obstacles, code, now));
+    int[] around = kind == KindNumber.LINE ? around(region.x(), region.y(), seen) : new int[0];
+    return IntStream.concat(found, IntStream.of(around)).sorted().distinct().toArray();
+  }
+
+  /** The obstacles of a kind that may overlap a box, and others; ascending unless there is none. */
+  private int[] near(int kind, BoxTree.Outside outside) {
     IntList found = new IntList();
-    for (int kind = from; kind < to; kind++) {
-      BoxTree tree = kind == KindNumber.WALL ? null : index.tree(kind);
-      if (tree == null) {
-        obstacles.codes(kind).forEach(found::add);
-      } else {
-        tree.find(region.outside, found);
-        besideTree(kind, found::add);
-      }
+    BoxTree tree = kind == KindNumber.WALL ? null : index.tree(kind);
+    if (tree == null) {
+      obstacles.codes(kind).forEach(found::add);
+    } else {
+      tree.find(outside, found);
+      besideTree(kind, found::add);
     }
-    return found.filtered(
-        code ->
-            obstacles.isThere(code) && seen.test(code) && region.overlaps(obstacles, code, now));
+    return found.filtered(obstacles::isThere);
   }
 
   /** Names the obstacles of a kind that are in no tree: those that changed, and those that move. */

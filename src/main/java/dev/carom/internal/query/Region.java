@@ -35,6 +35,11 @@ public abstract class Region {
     return new Box(sides);
   }
 
+  /** A point inside of it. */
+  abstract double x();
+
+  abstract double y();
+
   /** Whether it overlaps the outer side of a wall. */
   abstract boolean overlapsWall(int wall, double place);
 
@@ -68,6 +73,16 @@ public abstract class Region {
     }
 
     @Override
+    double x() {
+      return x;
+    }
+
+    @Override
+    double y() {
+      return y;
+    }
+
+    @Override
     boolean overlapsWall(int wall, double place) {
       double p = Codes.isVertical(wall) ? x : y;
       return Codes.isLower(wall)
@@ -97,6 +112,16 @@ public abstract class Region {
 
     private static double finite(double side) {
       return Math.max(-Double.MAX_VALUE, Math.min(side, Double.MAX_VALUE));
+    }
+
+    @Override
+    double x() {
+      return sides[Codes.LEFT] / 2 + sides[Codes.RIGHT] / 2;
+    }
+
+    @Override
+    double y() {
+      return sides[Codes.BOTTOM] / 2 + sides[Codes.TOP] / 2;
     }
 
     @Override

@@ -165,7 +165,7 @@ public final class Tracer {
     response.ask(shock);
     LoneContact contact = new LoneContact(obstacles, null, gravity, this::addNear);
     DoubleList flights = new DoubleList();
-    ImpactRows impacts = new ImpactRows(1);
+    ImpactRows impacts = new ImpactRows(1).of(index.obstacles);
     body.fall(gravity.x, gravity.y);
     add(body, flights);
     ExactBudget work = ExactBudget.ofThread();

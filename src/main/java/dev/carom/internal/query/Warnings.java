@@ -2,6 +2,7 @@
 package dev.carom.internal.query;
 
 import dev.carom.internal.search.BoxTree;
+import dev.carom.internal.search.ObstacleIndex;
 import dev.carom.internal.state.Codes;
 import dev.carom.internal.state.FilterBits;
 import dev.carom.internal.state.ObstacleRows;
@@ -13,6 +14,7 @@ import dev.carom.internal.util.IntList;
 import java.util.ArrayList;
 import java.util.Collections;
 import java.util.List;
+import java.util.function.IntPredicate;
 import java.util.function.Predicate;
 import java.util.stream.IntStream;
 import java.util.stream.LongStream;
@@ -31,6 +33,7 @@ public final class Warnings {
 
   private final SceneData scene;
   private final ObstacleTable obstacles;
+  private final Proximity proximity;
   private final List<Overlap> overlaps = new ArrayList<>();
 
   /**
@@ -45,6 +48,7 @@ public final class Warnings {
   private Warnings(SceneData scene) {
     this.scene = scene;
     obstacles = ObstacleTable.of(scene);
+    proximity = new Proximity(new ObstacleIndex(obstacles), () -> 0);
   }
 
   public static List<Overlap> of(SceneData scene) {
@@ -69,10 +73,15 @@ public final class Warnings {
         lookAtObstacle(code, rows, tree);
       }
     }
+    if (obstacles.areSpecial()) {
+      for (int i = from; i < to; i++) {
+        lookAround(i);
+      }
+    }
     for (int j = from; scene.collide && j < scene.circleCount(); j++) {
       lookAtCircle(j, tree);
     }
-    long[] sorted = found.build().sorted().toArray();
+    long[] sorted = found.build().sorted().distinct().toArray();
     for (int k = 0; k < sorted.length && overlaps.size() < MOST_WARNINGS; k++) {
       overlaps.add(overlap(scene, (int) (sorted[k] >>> Integer.SIZE), (int) sorted[k]));
     }
@@ -133,6 +142,16 @@ public final class Warnings {
       if (FilterBits.meet(obstacles.filter(code), scene.registry.filter(i))
           && disk(i).overlaps(obstacles, code, 0)
           && !(obstacles.isOneWay(code) && isPassed(values, k, i))) {
+        keep(i, obstacles.firstOf(code));
+      }
+    }
+  }
+
+  /** Looks for the solid polygons around the centre of a circle. */
+  private void lookAround(int i) {
+    IntPredicate meets = obstacles.met(scene.registry.filter(i));
+    for (int code : proximity.around(scene.x(i), scene.y(i), meets)) {
+      if (!obstacles.isSensor(code)) {
         keep(i, code);
       }
     }
@@ -187,12 +206,25 @@ public final class Warnings {
       distance = StrictMath.hypot(scene.x(i) - scene.x(j), scene.y(i) - scene.y(j));
       least += scene.radius(j);
     } else {
-      ObstacleRows rows = scene.obstacles.of(code);
-      int k = rows.offset(code);
-      distance = rows.shape.distanceFromSpine(rows.values, k, scene.x(i), scene.y(i));
-      least += rows.shape.radius(rows.values, k);
+      distance = distanceFromSpine(scene, i, code);
+      least += scene.obstacles.radius(code);
     }
     return new Overlap(i, code, Math.min(distance, Math.nextDown(least)), least);
+  }
+
+  /** The distance from the nearest side of an outline, which is below 0 inside a solid one. */
+  private static double distanceFromSpine(SceneData scene, int i, int code) {
+    double x = scene.x(i);
+    double y = scene.y(i);
+    ObstacleRows rows = scene.obstacles.of(code);
+    double distance =
+        scene
+            .obstacles
+            .codesOf(code)
+            .mapToDouble(each -> rows.shape.distanceFromSpine(rows.values, rows.offset(each), x, y))
+            .min()
+            .orElseThrow();
+    return scene.obstacles.isInside(code, x, y, 0) ? -distance : distance;
   }
 
   private static double distanceFromWall(SceneData scene, int i, int wall) {

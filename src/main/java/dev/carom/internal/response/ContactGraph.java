@@ -446,7 +446,7 @@ final class ContactGraph {
     p.gap[k] = parts.distance - r;
     turn(k, mx, my);
     p.drift[k] = parts.vx[part] * p.nx[k] + parts.vy[part] * p.ny[k];
-    if (parts.isOneWay(part)) {
+    if (parts.isOneSided(part)) {
       boolean isSolid = parts.isSolidFrom(part, x, y);
       p.through[k] = !isSolid || (p.through[k] && p.gap[k] < -p.standoff[k]);
     } else if (p.gap[k] >= 0) {

@@ -159,9 +159,8 @@ final class Newcomers {
 
   /** Whether a part is there for a newcomer: it passes through one-way lines that it overlaps. */
   private boolean isSolid(int p, int i) {
-    return !parts.isOneWay(p)
-        || (parts.isSolidFrom(p, members.x[i], members.y[i])
-            && parts.distance >= members.radius[i] * (1 - ContactLaw.STANDOFF));
+    return parts.isSolidFrom(p, members.x[i], members.y[i])
+        && (!parts.isOneWay(p) || parts.distance >= members.radius[i] * (1 - ContactLaw.STANDOFF));
   }
 
   /** Stops a newcomer for the rest of the tick, and each whose flight runs into one that stands. */

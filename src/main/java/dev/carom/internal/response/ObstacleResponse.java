@@ -283,7 +283,7 @@ public final class ObstacleResponse {
     sx = m.vx - point.ux;
     sy = m.vy - point.uy;
     double vn = ScaledVectors.dot(sx, sy, point.nx, point.ny);
-    log.add(time, m.id, Codes.kind(code), Codes.index(code), ObstacleTable.part(code, m.contact));
+    log.add(time, m.id, code, ObstacleTable.part(code, m.contact));
     log.set(point.x, point.y, point.nx, point.ny, vn);
     return vn;
   }

@@ -343,7 +343,7 @@ final class Parts {
     }
     vx[part] = obstacles.ux(its);
     vy[part] = obstacles.uy(its);
-    oneWay[part] = obstacles.isOneWay(its);
+    oneWay[part] = obstacles.isOneWay(its) || obstacles.outside(its) != 0;
     loadRow(its, now);
     x[part] = row[0];
     y[part] = row[1];
@@ -622,11 +622,20 @@ final class Parts {
     return kind[part] <= WALL;
   }
 
-  boolean isOneWay(int part) {
+  /** Whether a part is not there for circles on one side of it. */
+  boolean isOneSided(int part) {
     return oneWay[part];
   }
 
-  /** Whether a part is there for a circle at a place: one-way lines are solid from the left. */
+  /** Whether circles that overlap a part pass through it: a one-way line, unlike a polygon. */
+  boolean isOneWay(int part) {
+    return oneWay[part] && obstacles.outside(code[part]) == 0;
+  }
+
+  /**
+   * Whether a part is there for a circle at a place: one-way lines are solid from the left, and
+   * polygons from outside.
+   */
   boolean isSolidFrom(int part, double px, double py) {
     if (!oneWay[part]) {
       return true;
@@ -634,7 +643,42 @@ final class Parts {
     if (kind[part] != SIDE && kind[part] != VERTEX) {
       return false; // a line without length has no left
     }
-    int side = kind[part] == SIDE ? part : links[part][0];
-    return (py - y[side]) * dx[side] - (px - x[side]) * dy[side] > 0;
+    if (kind[part] == SIDE) {
+      return isBeyond(part, px, py);
+    }
+    if (obstacles.outside(code[part]) == 0) {
+      return isBeyond(links[part][0], px, py);
+    }
+    boolean isSolid = false;
+    for (int side : links[part]) {
+      isSolid |= isSolidAtEnd(part, side, px, py);
+    }
+    return isSolid;
+  }
+
+  /** Whether a place is where a one-way line, or a side of a polygon, is solid from. */
+  private boolean isBeyond(int side, double px, double py) {
+    double height = (py - y[side]) * dx[side] - (px - x[side]) * dy[side];
+    return obstacles.outside(code[side]) < 0 ? height < 0 : height > 0;
+  }
+
+  /** At an outer corner of a polygon a place is outside of one of its sides, else of both. */
+  private boolean isSolidAtEnd(int vertex, int side, double px, double py) {
+    int outside = obstacles.outside(code[side]);
+    if (outside == 0) {
+      return isBeyond(side, px, py);
+    }
+    boolean atStart = links[side][0] == vertex;
+    int its = obstacles.neighbor(code[side], atStart);
+    for (int other : links[vertex]) {
+      if (code[other] == its) {
+        double turn = dx[other] * dy[side] - dy[other] * dx[side];
+        boolean isOuter = outside * (atStart ? turn : -turn) < 0;
+        boolean first = isBeyond(side, px, py);
+        boolean second = isBeyond(other, px, py);
+        return isOuter ? first || second : first && second;
+      }
+    }
+    return isBeyond(side, px, py);
   }
 }

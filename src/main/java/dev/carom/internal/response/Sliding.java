@@ -237,7 +237,8 @@ public final class Sliding {
             && along != 0
             && pressure > 0
             && out * out <= 2 * pressure * near
-            && !(obstacles.isOneWay(code) && side < 0);
+            && !(obstacles.isOneWay(code) && side < 0)
+            && obstacles.outside(code) * side >= 0;
     if (carries) {
       slide(m, code, -side * wy, side * wx);
     }

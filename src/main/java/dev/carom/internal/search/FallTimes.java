@@ -85,7 +85,17 @@ abstract class FallTimes extends CellWalk {
     if (obstacles.isOneWay(code)) {
       return timeOfOneWay(code, to);
     }
-    return code == body.last ? timeOfReturn(code, to) : FallSweep.time(fall, about, to);
+    double t = code == body.last ? timeOfReturn(code, to) : FallSweep.time(fall, about, to);
+    return obstacles.outside(code) == 0 ? t : timeThatCounts(code, t, to);
+  }
+
+  /** The time of a contact, or of the first one after it that counts. */
+  private double timeThatCounts(int code, double first, double to) {
+    double t = first;
+    while (t <= to && t < NEVER && !counts(code, contactAt(code, t), t)) {
+      t = FallSweep.timeAfter(fall, t, to);
+    }
+    return t;
   }
 
   private double timeOfReturn(int code, double to) {
@@ -95,7 +105,8 @@ abstract class FallTimes extends CellWalk {
   /** The next time at which a sensor that was not reported yet is entered. */
   private double timeOfSensor(int code, double to) {
     double after = code > sensedCode && sensed > 0 ? Math.nextDown(sensed) : sensed;
-    return FallSweep.timeAfter(fall, Math.max(after, 0), to);
+    double t = FallSweep.timeAfter(fall, Math.max(after, 0), to);
+    return obstacles.isOutline(code) ? timeThatCounts(code, t, to) : t;
   }
 
   /** The time at which a circle that flew off an end of a line hits that or the other end. */
@@ -232,15 +243,25 @@ abstract class FallTimes extends CellWalk {
       return t == 0 ? Contact.NOW : Contact.LATER;
     }
     chooseAny(code);
+    return contactAt(code, t);
+  }
+
+  /** The contact with the line chosen. */
+  private int contactAt(int code, double t) {
     return isReturn(code, t) ? FallReturn.contact(fall, t) : FallSweep.contact(fall, t);
   }
 
+  private boolean mayLetPass(int code) {
+    return obstacles.isOneWay(code) || obstacles.outside(code) != 0;
+  }
+
   /**
-   * Whether an impact with the obstacle just hit is the return to it; a one-way line may let pass.
+   * Whether an impact with the obstacle just hit is the return to it; a one-way line, or a side of
+   * a solid polygon, may let pass.
    */
   private boolean isReturn(int code, double t) {
     return code == body.last
         && !obstacles.isSensor(code)
-        && (!obstacles.isOneWay(code) || timeOfReturn(code, t) == t);
+        && (!mayLetPass(code) || timeOfReturn(code, t) == t);
   }
 }

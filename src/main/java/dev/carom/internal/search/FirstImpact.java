@@ -8,8 +8,11 @@ import dev.carom.internal.state.MovingCircle;
 import dev.carom.internal.state.ObstacleMotions;
 import dev.carom.internal.state.ObstacleRows;
 import dev.carom.internal.state.ObstacleTable;
+import dev.carom.internal.sweep.Contact;
 import dev.carom.internal.sweep.Fall;
+import dev.carom.internal.sweep.LineShape;
 import dev.carom.internal.sweep.ObstacleShape;
+import dev.carom.internal.sweep.Polygon;
 
 /**
  * The earliest impact that a search has found on a flight, and the rules that decide between
@@ -27,6 +30,9 @@ import dev.carom.internal.sweep.ObstacleShape;
 abstract class FirstImpact {
 
   static final double NEVER = Double.POSITIVE_INFINITY;
+
+  /** Far more than the rounding of a place, in units of its terms. */
+  private static final double ROUNDING = 0x1p-45;
 
   final ObstacleTable obstacles;
 
@@ -131,6 +137,67 @@ abstract class FirstImpact {
     } else {
       chooseMoving(moving);
     }
+  }
+
+  /** Whether a contact with an obstacle, which was chosen, counts for an outline as a whole. */
+  final boolean counts(int code, int contact, double t) {
+    return obstacles.isSensor(code)
+        ? !obstacles.isOutline(code) || !isAlreadyIn(code, t)
+        : obstacles.outside(code) == 0 || isFromOutside(code, contact, t);
+  }
+
+  /**
+   * Whether a circle that comes to a side of a sensor, which was chosen, is in the outline already:
+   * it overlaps another side, or touches one that comes before, or its centre is inside.
+   */
+  private boolean isAlreadyIn(int code, double t) {
+    double x = fall.ax + OneWay.x(fall, t);
+    double y = fall.ay + OneWay.y(fall, t);
+    double near = ROUNDING * (Math.abs(x) + Math.abs(y) + r);
+    boolean isInside = false;
+    boolean touches = false;
+    int end = obstacles.endOf(code);
+    for (int each = obstacles.firstOf(code); each < end; each++) {
+      double[] row = obstacles.rowAt(each, body.t, body.tl); // seen from it, it stays there
+      double gap = LineShape.INSTANCE.distance(row, 0, x, y) - r;
+      touches |= each != code && gap < (each < code ? near : -near);
+      isInside ^= Polygon.isCrossed(row[0], row[1], row[2], row[3], x, y);
+    }
+    return touches || (isInside && obstacles.outside(code) != 0);
+  }
+
+  /**
+   * Whether a contact with a side of a solid polygon, which was chosen, comes from outside. At an
+   * end that is an outer corner the centre is outside of one of the two sides, at an inner corner
+   * of both.
+   *
+   * @param contact the contact, see {@link Contact}
+   * @param t its time
+   */
+  final boolean isFromOutside(int code, int contact, double t) {
+    int outside = obstacles.outside(code);
+    int part = Contact.withoutTime(contact);
+    if (part == Contact.LEFT || part == Contact.RIGHT) {
+      return (part == Contact.LEFT) == (outside > 0);
+    }
+    boolean atStart = part == Contact.START;
+    ObstacleRows rows = obstacles.lines;
+    int k = rows.offset(obstacles.neighbor(code, atStart));
+    double itsX = rows.values[k + LineShape.BX] - rows.values[k + LineShape.AX];
+    double itsY = rows.values[k + LineShape.BY] - rows.values[k + LineShape.AY];
+    // The three points from the first side to the second one, where they are for this flight.
+    double fromX = atStart ? fall.ax - itsX : fall.ax;
+    double fromY = atStart ? fall.ay - itsY : fall.ay;
+    double overX = atStart ? fall.ax : fall.bx;
+    double overY = atStart ? fall.ay : fall.by;
+    double toX = atStart ? fall.bx : fall.bx + itsX;
+    double toY = atStart ? fall.by : fall.by + itsY;
+    double x = fall.ax + OneWay.x(fall, t);
+    double y = fall.ay + OneWay.y(fall, t);
+    boolean first = LineShape.side(fromX, fromY, overX, overY, x, y) * outside > 0;
+    boolean second = LineShape.side(overX, overY, toX, toY, x, y) * outside > 0;
+    boolean isOuter = LineShape.side(fromX, fromY, overX, overY, toX, toY) * outside < 0;
+    return isOuter ? first || second : first && second;
   }
 
   /** Whether the flight passes an obstacle, whatever its place. */

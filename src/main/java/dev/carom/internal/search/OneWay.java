@@ -35,9 +35,17 @@ final class OneWay {
 
   /** Whether the centre is left of a line at a time, by doubles; at 0, exactly. */
   static boolean isLeft(Fall f, double t) {
-    double x = f.dx + (f.sx + 0.5 * f.gx * t) * t;
-    double y = f.dy + (f.sy + 0.5 * f.gy * t) * t;
-    return t == 0 ? isLeftAtStart(f) : f.wx * y - f.wy * x > 0;
+    return t == 0 ? isLeftAtStart(f) : f.wx * y(f, t) - f.wy * x(f, t) > 0;
+  }
+
+  /** The x coordinate of the centre at a time, from the start of the line. */
+  static double x(Fall f, double t) {
+    return f.dx + (f.sx + 0.5 * f.gx * t) * t;
+  }
+
+  /** The y coordinate of the centre at a time, from the start of the line. */
+  static double y(Fall f, double t) {
+    return f.dy + (f.sy + 0.5 * f.gy * t) * t;
   }
 
   /** Whether a circle starts left of a line and overlaps it by no more than rounding. */

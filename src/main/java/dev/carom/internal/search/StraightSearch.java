@@ -234,7 +234,10 @@ final class StraightSearch extends CellWalk {
     }
     int contact = FallSweep.straightContact(fall);
     if (contact != Contact.MISS) {
-      offer(FallSweep.straightTime(fall, contact, Math.nextUp(end)), code, contact);
+      double t = FallSweep.straightTime(fall, contact, Math.nextUp(end));
+      if (!special || counts(code, contact, t)) {
+        offer(t, code, contact);
+      }
     }
   }
 

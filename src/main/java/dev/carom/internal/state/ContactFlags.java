@@ -2,7 +2,8 @@
 package dev.carom.internal.state;
 
 /**
- * The flags of an obstacle or a circle, in a byte: its response, and whether it is a one-way line.
+ * The flags of an obstacle or a circle, in a byte: its response, whether it is a one-way line, and
+ * where a side of a solid polygon is outside.
  */
 public final class ContactFlags {
 
@@ -14,11 +15,20 @@ public final class ContactFlags {
   private static final int RESPONSE = 3;
   private static final int ONE_WAY = 4;
 
+  /** A side of a solid polygon, whose outside is to its left; to its right. */
+  private static final int OUTSIDE_LEFT = 8;
+
+  private static final int OUTSIDE_RIGHT = 16;
+  private static final int OUTSIDE = OUTSIDE_LEFT | OUTSIDE_RIGHT;
+
   /** All flags that a wall, a peg or a circle can have. */
   public static final int MOST = RESPONSE;
 
   /** All flags that a line can have. */
-  public static final int MOST_OF_LINES = RESPONSE | ONE_WAY;
+  public static final int MOST_OF_LINES = RESPONSE | ONE_WAY | OUTSIDE;
+
+  /** What is expected of a solid outline that shall be one-way. */
+  public static final String NOT_ONE_WAY = "false: a solid outline keeps circles out on all sides";
 
   private ContactFlags() {}
 
@@ -40,6 +50,25 @@ public final class ContactFlags {
 
   static boolean halts(int traits) {
     return (traits & RESPONSE) == HALT;
+  }
+
+  /** The flags of a side of a solid polygon: 1 for one that is outside to its left, -1 right. */
+  static int withOutside(int traits, int outside) {
+    int flag = outside == 0 ? 0 : outside > 0 ? OUTSIDE_LEFT : OUTSIDE_RIGHT;
+    return (traits & ~OUTSIDE) | flag;
+  }
+
+  /** Where the outside of a solid polygon is from its side: 1 left, -1 right; 0 of other things. */
+  static int outside(int traits) {
+    return (traits & OUTSIDE_LEFT) != 0 ? 1 : (traits & OUTSIDE_RIGHT) != 0 ? -1 : 0;
+  }
+
+  /** Whether flags can be those of an obstacle. */
+  public static boolean areKnown(int traits, int most) {
+    return (traits & ~most) == 0
+        && response(traits) != RESPONSE
+        && (traits & OUTSIDE) != OUTSIDE
+        && !(isOneWay(traits) && outside(traits) != 0);
   }
 
   public static boolean isOneWay(int traits) {

@@ -49,6 +49,9 @@ public final class ImpactRows {
   private static final int OUTCOME = 16;
   private static final int ORDINAL = (1 << FEATURE) - 1;
 
+  /** Knows which sides are one outline. */
+  private ObstacleTable obstacles = ObstacleTable.empty(null);
+
   private int size;
   private double[] numbers;
   private int[] ints;
@@ -68,6 +71,12 @@ public final class ImpactRows {
     order = new TimeOrder(numbers, ROW);
   }
 
+  /** Sets the obstacles that rows will name. */
+  public ImpactRows of(ObstacleTable table) {
+    obstacles = table;
+    return this;
+  }
+
   public int size() {
     return size;
   }
@@ -84,6 +93,21 @@ public final class ImpactRows {
 
   public int obstacle(int row) {
     return ints[at(row) * INTS + OBSTACLE];
+  }
+
+  /** The code of the obstacle; of a vertex of an outline, that of the side that begins there. */
+  public int code(int row) {
+    return Codes.of(kind(row), obstacle(row));
+  }
+
+  /** The id of the obstacle; of a circle its slot. */
+  public int id(int row) {
+    return kind(row) == KindNumber.CIRCLE ? obstacle(row) : obstacles.id(code(row));
+  }
+
+  /** The side of an outline; 0 of all else. */
+  public int side(int row) {
+    return kind(row) == KindNumber.LINE ? obstacles.side(code(row)) : 0;
   }
 
   public int kind(int row) {
@@ -146,10 +170,16 @@ public final class ImpactRows {
   /**
    * Adds a row, to be completed by {@link #set}.
    *
-   * @param kind the {@link KindNumber} of the obstacle
+   * @param code the code of the obstacle, or of the other circle
    * @param feature the feature of the obstacle
    */
-  public void add(double time, int circle, int kind, int obstacle, int feature) {
+  public void add(double time, int circle, int code, int feature) {
+    int named = obstacles.named(code, feature);
+    int itsFeature = named == code ? feature : Part.START;
+    put(time, circle, Codes.kind(named), Codes.index(named), itsFeature);
+  }
+
+  private void put(double time, int circle, int kind, int obstacle, int feature) {
     int row = size;
     int k = row * ROW;
     if (k == numbers.length) {
@@ -168,7 +198,7 @@ public final class ImpactRows {
 
   /** Adds a row of two circles, to be completed by {@link #set}. */
   public void addPair(double time, int circle, int other) {
-    add(time, circle, KindNumber.CIRCLE, other, Part.CIRCLE);
+    put(time, circle, KindNumber.CIRCLE, other, Part.CIRCLE);
   }
 
   /** Completes the row added last, with a normal of any length, v.n and no impulse. */
@@ -203,7 +233,7 @@ public final class ImpactRows {
   /** Appends a contact that jams a circle, at a distance d from its centre, against n. */
   public void addJammed(
       MovingCircle m, int code, int feature, double d, double nx, double ny, double vn) {
-    add(m.t, m.id, Codes.kind(code), Codes.index(code), feature);
+    add(m.t, m.id, code, feature);
     set(m.x - d * nx, m.y - d * ny, nx, ny, vn);
     setOutcome(JAMMED);
   }

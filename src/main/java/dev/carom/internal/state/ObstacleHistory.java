@@ -113,6 +113,11 @@ final class ObstacleHistory {
     return its == null ? null : its.at(t, first.of(code).shape.coordinates);
   }
 
+  /** Where an obstacle that existed at a time was outside, see {@link ObstacleTable#outside}. */
+  int outside(int code, double t) {
+    return ContactFlags.outside(state(code, t).traits);
+  }
+
   /** An obstacle at a given time; null if it did not exist by then. */
   private State state(int code, double t) {
     Changes<State> its = changes.get(code);
@@ -120,8 +125,12 @@ final class ObstacleHistory {
     return changed == null && isFirst(code) ? new State(first, code) : changed;
   }
 
-  /** All obstacles at a given time; the properties of the walls then are given. */
-  ObstacleTable at(double t, double restitution, int traits, long filter) {
+  /**
+   * All obstacles at a given time; the properties of the walls then are given.
+   *
+   * @param now a later table: ids do not change
+   */
+  ObstacleTable at(ObstacleTable now, double t, double restitution, int traits, long filter) {
     ObstacleTable then = first.copy();
     then.boundsRestitution = restitution;
     then.boundsTraits = traits;
@@ -138,6 +147,7 @@ final class ObstacleHistory {
     }
     then.setMotions(motions);
     then.kinds.forEach(rows -> fill(then, rows, ends[rows.kind()]));
+    then.kinds.forEach(rows -> rows.joinAs(now.ofKind(rows.kind())));
     return then;
   }
 

@@ -4,6 +4,7 @@ package dev.carom.internal.state;
 import dev.carom.internal.sweep.ObstacleShape;
 import dev.carom.internal.util.KindNumber;
 import java.util.Arrays;
+import java.util.stream.IntStream;
 
 /**
  * The obstacles of one kind, by their {@link Codes}: for each a row of doubles, laid out by its
@@ -33,6 +34,11 @@ public final class ObstacleRows {
 
   /** By numbers within the kind. */
   private TraitColumns traits;
+
+  private JoinedRows joints = new JoinedRows();
+
+  /** The number of live rows that belong to the obstacle of the row before them. */
+  private int joined;
 
   /** The next code to give. */
   public int end;
@@ -80,6 +86,8 @@ public final class ObstacleRows {
     edited = other.edited;
     values = other.values;
     traits = other.traits;
+    joints = other.joints;
+    joined = other.joined;
     end = other.end;
     present = other.present;
     specials = other.specials;
@@ -105,7 +113,88 @@ public final class ObstacleRows {
     return end - first();
   }
 
-  /** The codes of the live obstacles and perhaps of some removed ones, until the next change. */
+  // Ids: an obstacle is a row, or, as an outline, several rows that follow each other.
+
+  /** The number of live obstacles. */
+  int obstacles() {
+    return present.count() - joined;
+  }
+
+  /** One more than the largest id. */
+  public int idLimit() {
+    return joints.idLimit();
+  }
+
+  /** The id of the obstacle to which a code belongs. */
+  public int id(int code) {
+    return joints.id(code - first());
+  }
+
+  /** The first code of an id. */
+  public int code(int id) {
+    return first() + joints.first(id);
+  }
+
+  /** The first code of the obstacle to which a code belongs. */
+  public int firstOf(int code) {
+    return code(id(code));
+  }
+
+  /** One more than the last code of the obstacle to which a code belongs. */
+  public int endOf(int code) {
+    return code(id(code) + 1);
+  }
+
+  /** Whether a code belongs to the obstacle of the one before. */
+  public boolean isJoined(int code) {
+    return joints.isJoined(code - first());
+  }
+
+  /** The numbers, within the kind, of the codes that belong to the obstacle of the one before. */
+  public int[] joined() {
+    return joints.joined();
+  }
+
+  /** Lets the code given last belong to the obstacle of the one before. */
+  void joinLast() {
+    own();
+    joints.join();
+    joined += isGone(end - 1) ? 0 : 1;
+  }
+
+  /** Whether the spine of an obstacle begins where that of another one ends. */
+  public boolean meet(int one, int next) {
+    int end = offset(one) + shape.toEnd;
+    int start = offset(next);
+    return values[end + ObstacleShape.X] == values[start + ObstacleShape.X]
+        && values[end + ObstacleShape.Y] == values[start + ObstacleShape.Y];
+  }
+
+  /** Joins as in a later table, in which no id is another one. */
+  void joinAs(ObstacleRows later) {
+    int[] theirs = IntStream.of(later.joined()).filter(row -> row < count()).toArray();
+    if (!Arrays.equals(theirs, joined())) {
+      join(theirs);
+    }
+  }
+
+  /**
+   * Sets the numbers, within the kind, of the codes that belong to the obstacle of the one before.
+   */
+  public void join(int... rows) {
+    own();
+    joints = new JoinedRows();
+    joined = 0;
+    for (int code = first(); code < end; code++) {
+      joints.add();
+      if (Arrays.binarySearch(rows, code - first()) >= 0) {
+        joints.join();
+        joined += isGone(code) ? 0 : 1;
+      }
+    }
+  }
+
+  /** The codes of the live rows and perhaps of some removed ones, until the next change. */
   public LiveCodes present() {
     return present;
   }
@@ -184,6 +273,7 @@ public final class ObstacleRows {
       shared = false;
       values = values.clone();
       traits = traits.copy();
+      joints = joints.copy();
       present = present.copy();
     }
   }
@@ -202,6 +292,7 @@ public final class ObstacleRows {
       values = Arrays.copyOf(values, offset(first() + room));
     }
     present.add(code);
+    joints.add();
     move(code, numbers);
     setRestitution(code, 1);
     return code;
@@ -240,6 +331,7 @@ public final class ObstacleRows {
   /** Removes an obstacle: no search finds it any more. */
   void remove(int code) {
     edited = true;
+    joined -= isJoined(code) && !isGone(code) ? 1 : 0;
     setTraits(code, 0);
     setFilter(code, FilterBits.DEFAULT);
     int k = offset(code);
@@ -253,6 +345,7 @@ public final class ObstacleRows {
         && kind == that.kind
         && end == that.end
         && Arrays.equals(values, 0, offset(end), that.values, 0, offset(end))
+        && Arrays.equals(joined(), that.joined())
         && hasSameTraits(that);
   }
 

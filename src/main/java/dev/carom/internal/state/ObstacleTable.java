@@ -5,7 +5,9 @@ import dev.carom.internal.sweep.Contact;
 import dev.carom.internal.sweep.LineShape;
 import dev.carom.internal.sweep.ObstacleShape;
 import dev.carom.internal.sweep.PegShape;
+import dev.carom.internal.sweep.Polygon;
 import dev.carom.internal.util.Check;
+import dev.carom.internal.util.Index;
 import dev.carom.internal.util.KindNumber;
 import dev.carom.internal.util.Part;
 import java.util.Arrays;
@@ -205,20 +207,103 @@ public final class ObstacleTable {
 
   /** The number of live obstacles of a {@link KindNumber}. */
   public int count(int kind) {
-    return kind == KindNumber.WALL ? (int) codes(kind).count() : ofKind(kind).present().count();
+    return kind == KindNumber.WALL ? (int) codes(kind).count() : ofKind(kind).obstacles();
   }
 
-  /** One more than the number of the last obstacle of a {@link KindNumber}, gone or not. */
+  /** One more than the id of the last obstacle of a {@link KindNumber}, gone or not. */
   public int end(int kind) {
     int walled = walls == null ? 0 : Codes.WALLS;
-    return kind == KindNumber.WALL ? walled : ofKind(kind).count();
+    return kind == KindNumber.WALL ? walled : ofKind(kind).idLimit();
   }
 
-  /** The codes of the live obstacles of a {@link KindNumber}. */
+  /** The codes of the live obstacles of a {@link KindNumber}; of an outline, of all its sides. */
   public IntStream codes(int kind) {
     return kind == KindNumber.WALL
         ? IntStream.range(0, end(kind)).filter(this::isWallThere)
         : ofKind(kind).present().stream(ofKind(kind)::isGone);
+  }
+
+  /** The ids of the live obstacles of a {@link KindNumber}, ascending. */
+  public int[] ids(int kind) {
+    return ids(codes(kind).toArray());
+  }
+
+  /** The ids of the obstacles to which ascending codes of one kind belong, each once. */
+  public int[] ids(int... ascending) {
+    return IntStream.of(ascending).map(this::id).distinct().toArray();
+  }
+
+  /** The id of the obstacle to which a code belongs. */
+  public int id(int code) {
+    return Codes.isWall(code) ? code : of(code).id(code);
+  }
+
+  /** The code of an id; of an outline, that of its first side. */
+  public int code(int kind, int id) {
+    return kind == KindNumber.WALL ? id : ofKind(kind).code(id);
+  }
+
+  /** The codes of the obstacle to which a code belongs: of an outline, of all its sides. */
+  public IntStream codesOf(int code) {
+    return IntStream.range(firstOf(code), endOf(code));
+  }
+
+  /** The first code of the obstacle to which a code belongs. */
+  public int firstOf(int code) {
+    return Codes.isWall(code) ? code : of(code).firstOf(code);
+  }
+
+  /** One more than the last code of the obstacle to which a code belongs. */
+  public int endOf(int code) {
+    return Codes.isWall(code) ? code + 1 : of(code).endOf(code);
+  }
+
+  /** Whether a code belongs to an outline of several sides. */
+  public boolean isOutline(int code) {
+    return endOf(code) - firstOf(code) > 1;
+  }
+
+  /** The number of a side within its outline; 0 of all else. */
+  public int side(int code) {
+    return code - firstOf(code);
+  }
+
+  /** Where the outside of a solid polygon is from its side: 1 left, -1 right; 0 of other things. */
+  public int outside(int code) {
+    return specials > 0 && Codes.isLine(code) ? ContactFlags.outside(traits(code)) : 0;
+  }
+
+  /** Whether a ray from a point to the left crosses a side, as it is at a time. */
+  public boolean isCrossed(int side, double x, double y, double now) {
+    double[] row = rowAt(side, now, 0);
+    return Polygon.isCrossed(row[0], row[1], row[2], row[3], x, y);
+  }
+
+  /** Whether a point is inside of the solid polygon to which a side belongs, at a time. */
+  public boolean isInside(int side, double x, double y, double now) {
+    return outside(side) != 0
+        && codesOf(side).filter(code -> isCrossed(code, x, y, now)).count() % 2 == 1;
+  }
+
+  /** The side of an outline that begins where another one ends; NONE if there is none. */
+  public int nextSide(int code) {
+    int next = code + 1;
+    int end = endOf(code);
+    return next < end ? next : outside(code) == 0 ? Index.NONE : firstOf(code);
+  }
+
+  /**
+   * The code by which a feature of an obstacle is named: where a side of an outline ends, that of
+   * the next side, which starts there.
+   */
+  public int named(int code, int feature) {
+    int next = feature == Part.END ? nextSide(code) : Index.NONE;
+    return next == Index.NONE ? code : next;
+  }
+
+  /** The side of a solid polygon that shares an end with one of its sides. */
+  public int neighbor(int code, boolean atStart) {
+    return atStart && code != firstOf(code) ? code - 1 : atStart ? endOf(code) - 1 : nextSide(code);
   }
 
   /** The codes of all live obstacles. */
@@ -470,6 +555,30 @@ public final class ObstacleTable {
   /** Adds an elastic obstacle without traits, and returns its code. */
   public int add(int kind, double... numbers) {
     return ofKind(kind).add(numbers);
+  }
+
+  /** Adds an outline, elastic and without traits, and returns the code of its first side. */
+  public int add(OutlinePoints outline) {
+    int first = lines.end;
+    for (int i = 0; i < outline.sides(); i++) {
+      int code = add(KindNumber.LINE, outline.side(i));
+      if (i > 0) {
+        lines.joinLast();
+      }
+      setOutside(code, outline.outside());
+    }
+    return first;
+  }
+
+  /** The points of an outline, or of a line, as the rows say; its first code is given. */
+  public OutlinePoints outline(int first) {
+    double[][] rows = codesOf(first).mapToObj(this::row).toArray(double[][]::new);
+    return OutlinePoints.of(rows, outside(first) != 0);
+  }
+
+  /** Sets where the outside of a solid polygon is from one of its sides; 0 of other things. */
+  public void setOutside(int code, int outside) {
+    setTraits(code, ContactFlags.withOutside(traits(code), outside));
   }
 
   /**

@@ -54,21 +54,27 @@ public final class SceneDataBuilder {
     if (obstacles.walls != null) {
       throw new IllegalStateException("the scene has bounds already: expected one only");
     }
-    check(Codes.LEFT, () -> Check.bounds(xmin, ymin, xmax, ymax));
+    check(KindNumber.WALL, 0, () -> Check.bounds(xmin, ymin, xmax, ymax));
     obstacles = obstacles.within(ObstacleTable.walls(xmin, ymin, xmax, ymax));
     last = Codes.LEFT;
   }
 
   /** Adds an obstacle of a {@link KindNumber}, by the numbers of its shape. */
   public void obstacle(int kind, double... numbers) {
-    check(obstacles.ofKind(kind).end, () -> ObstacleTable.shape(kind).check(numbers));
+    check(kind, obstacles.end(kind), () -> ObstacleTable.shape(kind).check(numbers));
     last = obstacles.add(kind, numbers);
+  }
+
+  /** Adds an outline. */
+  public void outline(OutlinePoints outline) {
+    check(KindNumber.LINE, obstacles.lines.idLimit(), outline::check);
+    last = obstacles.add(outline);
   }
 
   /** Adds a moving circle of mass 1. */
   public void circle(double x, double y, double radius, double vx, double vy) {
     double r = radius + 0.0; // 0 for -0
-    check(Codes.circle(registry.count()), () -> checkCircle(x, y, r, vx, vy));
+    check(KindNumber.CIRCLE, registry.count(), () -> checkCircle(x, y, r, vx, vy));
     circles.add(x, y, r, vx, vy, 1);
     last = Codes.circle(registry.add());
   }
@@ -91,6 +97,9 @@ public final class SceneDataBuilder {
   public void traits(TraitValues traits) {
     expectThing("traits");
     check(last, () -> traits.check(Codes.kind(last)));
+    if (ContactFlags.isOneWay(traits.flags())) {
+      check(last, this::checkOneWay);
+    }
     if (Codes.isCircle(last)) {
       circles.setLast(traits.restitution());
       traits.set(registry, Codes.slot(last));
@@ -105,7 +114,7 @@ public final class SceneDataBuilder {
     if (Codes.isCircle(last)) {
       circles.setLast(e);
     } else {
-      obstacles.setRestitution(last, e);
+      obstacles.codesOf(last).forEach(code -> obstacles.setRestitution(code, e));
     }
   }
 
@@ -124,7 +133,7 @@ public final class SceneDataBuilder {
     if (Codes.isCircle(last)) {
       registry.setTraits(Codes.slot(last), traits);
     } else {
-      obstacles.setTraits(last, traits);
+      obstacles.codesOf(last).forEach(code -> obstacles.setTraits(code, traits));
     }
   }
 
@@ -133,7 +142,8 @@ public final class SceneDataBuilder {
     if (Codes.isCircle(last)) {
       registry.setFilter(Codes.slot(last), FilterBits.of(category, mask));
     } else {
-      obstacles.setFilter(last, FilterBits.of(category, mask));
+      long filter = FilterBits.of(category, mask);
+      obstacles.codesOf(last).forEach(code -> obstacles.setFilter(code, filter));
     }
   }
 
@@ -161,7 +171,14 @@ public final class SceneDataBuilder {
     if (!Codes.isLine(last)) {
       throw new IllegalStateException("one-way belongs to the line just added: add one first");
     }
+    check(last, this::checkOneWay);
     setTraits(ContactFlags.withOneWay(traits(), true));
+  }
+
+  private void checkOneWay() {
+    if (obstacles.outside(last) != 0) {
+      throw Check.refused("oneway", true, ContactFlags.NOT_ONE_WAY);
+    }
   }
 
   /** Lets the line or the peg just added move with a velocity. */
@@ -177,10 +194,14 @@ public final class SceneDataBuilder {
           Check.finite("vx", vx);
           Check.finite("vy", vy);
         });
+    obstacles.codesOf(last).forEach(code -> setVelocity(code, vx, vy));
+  }
+
+  private void setVelocity(int code, double vx, double vy) {
     if (vx == 0 && vy == 0) {
-      velocities.remove(last);
+      velocities.remove(code);
     } else {
-      velocities.put(last, new double[] {vx, vy});
+      velocities.put(code, new double[] {vx, vy});
     }
   }
 
@@ -229,12 +250,15 @@ public final class SceneDataBuilder {
   }
 
   /** Lets a refusal begin with the name of a thing. */
-  private static void check(int code, Runnable checks) {
+  private static void check(int kind, int i, Runnable checks) {
     try {
       checks.run();
     } catch (IllegalArgumentException e) {
-      int i = Codes.index(code);
-      throw Refusal.of(Codes.isWall(code) ? "bounds" : KindNumber.nameOf(Codes.kind(code), i), e);
+      throw Refusal.of(kind == KindNumber.WALL ? "bounds" : KindNumber.nameOf(kind, i), e);
     }
+  }
+
+  private void check(int code, Runnable checks) {
+    check(Codes.kind(code), Codes.isCircle(code) ? Codes.slot(code) : obstacles.id(code), checks);
   }
 }

@@ -4,6 +4,7 @@ package dev.carom.internal.state;
 import java.util.SortedMap;
 import java.util.TreeMap;
 import java.util.function.Supplier;
+import java.util.stream.IntStream;
 
 /**
  * Records everything that determines the future of a world: the flights of circles, and each change
@@ -40,9 +41,11 @@ public final class TimelineRecorder {
   private final double duration;
   private final boolean collide;
   private final CircleRegistry registry;
-  private final ObstacleTable obstacles;
   private final SizeLimits limits;
   private final Gravity gravity;
+
+  /** Those of the world; once the recording has ended, a copy. */
+  private ObstacleTable obstacles;
 
   /** The state of the world at the end of the recording. */
   private Supplier<WorldState> present;
@@ -112,9 +115,22 @@ public final class TimelineRecorder {
     return track != null && t >= track.start() && t < track.end() ? track : null;
   }
 
-  /** The row of a line or peg at a given time; null if it did not exist then. */
-  public double[] obstacle(int code, double t) {
-    return obstacleHistory.at(code, t);
+  /**
+   * The rows of an obstacle, which is no wall, at a given time: of an outline, those of its sides;
+   * none if it did not exist then.
+   */
+  public double[][] obstacle(int kind, int id, double t) {
+    ObstacleRows rows = obstacles.ofKind(kind);
+    boolean isId = id >= 0 && id < rows.idLimit();
+    return IntStream.range(isId ? rows.code(id) : 0, isId ? rows.code(id + 1) : 0)
+        .mapToObj(code -> obstacleHistory.at(code, t))
+        .filter(row -> row != null)
+        .toArray(double[][]::new);
+  }
+
+  /** Whether an obstacle of rows is a solid polygon. */
+  public boolean isSolid(int kind, int id, double t) {
+    return obstacleHistory.outside(obstacles.code(kind, id), t) != 0;
   }
 
   /** The walls, as {@link ObstacleTable#walls}. */
@@ -140,6 +156,7 @@ public final class TimelineRecorder {
   public void stop() {
     WorldState last = present.get();
     present = () -> last;
+    obstacles = obstacles.copy();
   }
 
   /** Adds a flight of the current step, which {@link #undo} may still drop. */
@@ -231,7 +248,8 @@ public final class TimelineRecorder {
 
   private WorldState past(double t) {
     Settings then = settings.at(t);
-    ObstacleTable itsObstacles = obstacleHistory.at(t, then.restitution, then.traits, then.filter);
+    ObstacleTable itsObstacles =
+        obstacleHistory.at(obstacles, t, then.restitution, then.traits, then.filter);
     int[] ids = tracks.idsAt(t);
     CircleRegistry circles = new CircleRegistry(ids, tracks.idLimitAt(t));
     FlightTable flights = new FlightTable(ids.length);

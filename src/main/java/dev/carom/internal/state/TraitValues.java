@@ -30,11 +30,19 @@ public record TraitValues(double restitution, double mass, int flags, long filte
     }
   }
 
-  /** Gives an obstacle these traits. */
+  /** Whether the flags of an obstacle are these: what it is outside of is not a trait. */
+  public boolean areFlagsOf(ObstacleTable obstacles, int code) {
+    return ContactFlags.withOutside(flags, obstacles.outside(code)) == obstacles.traits(code);
+  }
+
+  /** Gives an obstacle these traits; an outline, all its sides. */
   public void set(ObstacleTable obstacles, int code) {
-    obstacles.setRestitution(code, restitution);
-    obstacles.setTraits(code, flags);
-    obstacles.setFilter(code, filter);
+    int end = obstacles.endOf(code);
+    for (int each = obstacles.firstOf(code); each < end; each++) {
+      obstacles.setRestitution(each, restitution);
+      obstacles.setTraits(each, ContactFlags.withOutside(flags, obstacles.outside(each)));
+      obstacles.setFilter(each, filter);
+    }
   }
 
   /** Gives a circle these traits; its restitution stands elsewhere. */

@@ -22,6 +22,7 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.Random;
 import java.util.function.Consumer;
+import java.util.stream.IntStream;
 import org.junit.jupiter.api.Assertions;
 import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
@@ -216,7 +217,7 @@ class WarningsTest {
   }
 
   private static String text(Scene scene, int i, int code) {
-    return Internals.warning(Warnings.overlap(Internals.data(scene), i, code)).toString();
+    return Internals.warning(scene, Warnings.overlap(Internals.data(scene), i, code)).toString();
   }
 
   /** The rule in its own words, without an index. */
@@ -226,12 +227,12 @@ class WarningsTest {
     Proximity proximity = new Proximity(new ObstacleIndex(obstacles), () -> 0);
     for (int i = 0; i < scene.count(Kind.CIRCLE); i++) {
       Circle circle = (Circle) scene.shape(Kind.CIRCLE, i);
-      for (int code :
-          proximity.overlapping(
-              KindNumber.WALL,
-              KindNumber.CIRCLE,
-              Region.disk(circle.x(), circle.y(), circle.radius()),
-              any -> true)) {
+      Region disk = Region.disk(circle.x(), circle.y(), circle.radius());
+      int[] codes =
+          IntStream.range(KindNumber.WALL, KindNumber.CIRCLE)
+              .flatMap(kind -> IntStream.of(proximity.overlapping(kind, disk, any -> true)))
+              .toArray();
+      for (int code : codes) {
         boolean isLeft = !obstacles.isOneWay(code);
         if (!isLeft) {
           Line l = (Line) Internals.record(obstacles, code);

@@ -67,7 +67,7 @@ class HistoryTest {
     history.forget(3);
     assertThat(history.at(first, 4)).isNull();
     assertThat(history.at(second, 4)).isNull();
-    ObstacleTable then = history.at(4, 1, 0, FilterBits.DEFAULT);
+    ObstacleTable then = history.at(obstacles, 4, 1, 0, FilterBits.DEFAULT);
     assertThat(then).isEqualTo(obstacles);
     assertThat(then.lines.count()).isEqualTo(3);
     assertThat(then.size()).isEqualTo(1);
