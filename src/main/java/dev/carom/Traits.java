@@ -58,9 +58,18 @@ public record Traits(
     return of(restitution, circles.mass(slot), circles.traits(slot), circles.filter(slot));
   }
 
-  private static Traits of(double restitution, double mass, int flags, long filter) {
+  static Traits of(double restitution, double mass, int flags, long filter) {
     Response response = Response.of(ContactFlags.response(flags));
     return new Traits(restitution, mass, response, Filter.of(filter), ContactFlags.isOneWay(flags));
+  }
+
+  /** Tells whether these are the traits of given values. */
+  boolean are(double itsRestitution, double itsMass, int flags, long bits) {
+    return restitution == itsRestitution
+        && mass == itsMass
+        && response.ordinal() == ContactFlags.response(flags)
+        && oneWay == ContactFlags.isOneWay(flags)
+        && filter.bits() == bits;
   }
 
   TraitValues values() {

@@ -10,6 +10,19 @@ import dev.carom.internal.state.ObstacleTable;
 /** Tells of the things in a world. */
 final class WorldQueries {
 
+  /** How many records of traits are kept, and how a hash is shifted to one of their numbers. */
+  private static final int KNOWN = 64;
+
+  private static final int KNOWN_SHIFT = Long.SIZE - 6;
+
+  /** So many places are tried. */
+  private static final int PROBES = 8;
+
+  /** 2^64 over the golden ratio, which spreads the bits. */
+  private static final long HASH = 0x9E3779B97F4A7C15L;
+
+  private final Traits[] known = new Traits[KNOWN];
+
   private final ObstacleTable obstacles;
   private final CircleTable circles;
   private final CircleRegistry registry;
@@ -30,10 +43,30 @@ final class WorldQueries {
 
   Traits traits(int code) {
     if (!Codes.isCircle(code)) {
-      return Traits.of(obstacles, code);
+      double restitution = obstacles.givenRestitution(code);
+      return traits(restitution, 1, obstacles.traits(code), obstacles.filter(code));
     }
     int slot = Codes.slot(code);
-    return Traits.of(registry, slot, circles.restitution(slot));
+    double restitution = circles.restitution(slot);
+    return traits(restitution, registry.mass(slot), registry.traits(slot), registry.filter(slot));
+  }
+
+  /** Returns a record of given traits, the same one again as long as it is known. */
+  private Traits traits(double restitution, double mass, int flags, long filter) {
+    long bits = Double.doubleToLongBits(restitution) + 31 * Double.doubleToLongBits(mass);
+    int first = (int) ((((bits + flags) * HASH) ^ filter) * HASH >>> KNOWN_SHIFT);
+    for (int k = first; k < first + PROBES; k++) {
+      Traits some = known[k & (KNOWN - 1)];
+      if (some == null) {
+        known[k & (KNOWN - 1)] = Traits.of(restitution, mass, flags, filter);
+        return known[k & (KNOWN - 1)];
+      }
+      if (some.are(restitution, mass, flags, filter)) {
+        return some;
+      }
+    }
+    known[first] = Traits.of(restitution, mass, flags, filter);
+    return known[first];
   }
 
   Vec2 velocity(int code, double now) {

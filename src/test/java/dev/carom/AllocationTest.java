@@ -192,6 +192,9 @@ class AllocationTest {
       for (int i = 0; i < 2; i++) {
         builder.line(180 + 400 * i, -30, 200 + 400 * i, -29).peg(200 + 400 * i, 400, 10);
       }
+      if (each.getKey().equals("arrivals")) {
+        builder.outline(Outline.rectangle(380, -40, 400, -20));
+      }
       World world = new World(builder.circle(400.3, 100.7, 10, 4.1, 2.9).build());
       int[] frame = {0};
       Runnable frames =
@@ -236,6 +239,7 @@ class AllocationTest {
         world.moveTo(Kind.PEG, id, x, 400 + 0.07 * (frame % 20), world.now() + 1);
         world.moveTo(Kind.LINE, id, x - 20, -30, world.now() + 1);
       }
+      world.moveTo(Kind.LINE, 2, 380 + 0.1 * (frame % 20), -40, world.now() + 1); // an outline
     };
   }
 
@@ -380,6 +384,28 @@ class AllocationTest {
     for (SweptCircle circle : asked) {
       assertThat(ofMany(() -> world.cast(circle, 1e3))).isLessThanOrEqualTo(150L * 20_000);
     }
+  }
+
+  @Test
+  void traitsInALoopAllocateNothing() throws ReflectiveOperationException {
+    SceneBuilder scene = Scene.builder().bounds(0, 0, 99, 99);
+    for (int i = 0; i < 8; i++) {
+      scene.circle(10 * i, 9, 1, 1, 0).restitution(0.1 * i).mass(1 + i % 2);
+      scene.line(10 * i, 50, 10 * i, 60).filter(new Filter(1 + i, -1));
+    }
+    World world = new World(scene.build());
+    Runnable loop =
+        () -> {
+          for (int i = 0; i < 20_000; i++) {
+            sum += world.traits(Kind.CIRCLE, i % 8).mass();
+            sum += world.traits(Kind.LINE, i % 8).filter().category();
+          }
+        };
+    loop.run();
+    Meter meter = new Meter();
+    assertThat(measured(meter, loop)).isEqualTo(measured(meter, () -> {}));
+    assertThat(world.traits(Kind.CIRCLE, 3))
+        .isEqualTo(Traits.DEFAULT.withMass(2).withRestitution(0.1 * 3));
   }
 
   private static Casts casts(Random random, int count) {
