@@ -10,7 +10,7 @@ import dev.carom.internal.state.ObstacleTable;
 /** Tells of the things in a world. */
 final class WorldQueries {
 
-  /** How many records of traits are kept, and how a hash is shifted to one of their numbers. */
+  /** The number of records of traits that are kept, a power of two. */
   private static final int KNOWN = 64;
 
   private static final int KNOWN_SHIFT = Long.SIZE - 6;
@@ -54,7 +54,8 @@ final class WorldQueries {
   /** Returns a record of given traits, the same one again as long as it is known. */
   private Traits traits(double restitution, double mass, int flags, long filter) {
     long bits = Double.doubleToLongBits(restitution) + 31 * Double.doubleToLongBits(mass);
-    int first = (int) ((((bits + flags) * HASH) ^ filter) * HASH >>> KNOWN_SHIFT);
+    long mixed = (((bits + flags) * HASH) ^ filter) * HASH;
+    int first = (int) (mixed >>> KNOWN_SHIFT);
     for (int k = first; k < first + PROBES; k++) {
       Traits some = known[k & (KNOWN - 1)];
       if (some == null) {
