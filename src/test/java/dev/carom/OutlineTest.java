@@ -17,6 +17,7 @@ import java.util.stream.DoubleStream;
 import java.util.stream.IntStream;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.CsvSource;
 import org.junit.jupiter.params.provider.ValueSource;
 
 /** Joined lines with one id: polylines, and solid polygons that keep circles out. */
@@ -203,18 +204,24 @@ class OutlineTest {
     assertThat(tip.y()).isCloseTo(0.1, within(1e-9));
   }
 
-  @Test
-  void aRacketPressesABallOnAWallAndLeavesItOutside() {
+  @ParameterizedTest
+  @CsvSource({
+    "true, 0, 1", "true, 0, 0.5", "true, 0, 0", "true, -5, 1", "true, -5, 0.5", "true, -5, 0",
+    "false, 0, 1", "false, 0, 0.5", "false, 0, 0", "false, -5, 1", "false, -5, 0.5", "false, -5, 0"
+  })
+  void aRacketPressesABallOnAWallAndLeavesItOutside(boolean collide, double gravity, double e) {
     Scene scene =
         Scene.builder()
             .bounds(0, 0, 20, 10)
-            .outline(Outline.rectangle(10, 2, 12, 8))
+            .gravity(0, gravity)
+            .outline(Outline.rectangle(10, 0.5, 12, 9.5))
             .circle(5, 5, 1, 0, 0)
-            .collide(false)
+            .restitution(e)
+            .collide(collide)
             .build();
     World world = new World(scene);
     for (double x : new double[] {0.5, 14, 0.25, 15}) {
-      world.moveTo(Kind.LINE, 0, x, 2, world.now() + 3);
+      world.moveTo(Kind.LINE, 0, x, 0.5, world.now() + 3);
       world.step(3);
     }
     world.step(1);
