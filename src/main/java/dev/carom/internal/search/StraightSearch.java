@@ -168,7 +168,7 @@ final class StraightSearch extends CellWalk {
     crossY = ordinary ? 0 - vx : 0;
     crossOfOrigin = ordinary ? py * vx - px * vy : 0;
     double ofAll = SegmentFilter.margin(length, size);
-    margin = special || jam != null ? ofAll + NEVER : ofAll;
+    margin = jam != null ? ofAll + NEVER : ofAll;
   }
 
   /** A time at or shortly before the impact with the next wall. */
@@ -263,7 +263,9 @@ final class StraightSearch extends CellWalk {
     double bx = lines[k + LineShape.BX];
     double by = lines[k + LineShape.BY];
     int contact = SegmentFilter.contact(px, py, r, vx, vy, ax, ay, bx, by, margin);
-    if (contact > Contact.MISS) {
+    if (contact > Contact.MISS && special && obstacles.traits(code) != 0) {
+      considerOnly(code);
+    } else if (contact > Contact.MISS) {
       keepRough(SegmentFilter.time(contact, px, py, r, vx, vy, ax, ay, bx, by), code, contact);
     } else if (contact == Contact.DOUBT) {
       considerOnly(code);
