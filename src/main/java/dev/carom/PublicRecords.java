@@ -31,29 +31,28 @@ final class PublicRecords {
 
   /** A line, or an outline, of which the code of the first side is given, as it is at a time. */
   private static Obstacle lines(ObstacleTable obstacles, int code, double now) {
-    return lines(
-        obstacles
-            .codesOf(code)
-            .mapToObj(each -> obstacles.rowAt(each, now, 0))
-            .toArray(double[][]::new),
-        obstacles.outside(code) != 0);
+    double[][] rows = new double[obstacles.endOf(code) - code][];
+    for (int i = 0; i < rows.length; i++) {
+      rows[i] = obstacles.rowAt(code + i, now, 0);
+    }
+    return lines(rows, obstacles.outside(code) != 0);
   }
 
   /** A line, or an outline, by the rows of its sides. */
   static Obstacle lines(double[][] rows, boolean isSolid) {
-    if (rows.length == 1) {
-      return line(rows[0], 0);
+    return rows.length == 1 ? line(rows[0], 0) : outline(OutlinePoints.of(rows, isSolid));
+  }
+
+  /** An outline; its first side if it is so far away that its points round to others. */
+  private static Obstacle outline(OutlinePoints outline) {
+    if (!outline.isOne()) {
+      return line(outline.side(0), 0);
     }
-    OutlinePoints outline = OutlinePoints.of(rows, isSolid);
     List<Vec2> points = new ArrayList<>();
     for (int i = 0; i < outline.count(); i++) {
       points.add(new Vec2(outline.x(i), outline.y(i)));
     }
-    try {
-      return new Outline(points, isSolid);
-    } catch (IllegalArgumentException e) {
-      return line(rows[0], 0); // so far away that places round to others
-    }
+    return new Outline(points, outline.isSolid());
   }
 
   static Line line(ObstacleTable obstacles, int code, double now) {

@@ -326,6 +326,15 @@ class OutlineTest {
     assertThat(world.snapshot()).isEqualTo(before);
   }
 
+  /** Its points would round to others: then it is shown as its first side. */
+  @Test
+  void farAwayItIsShownAsALine() {
+    World world = new World(Scene.builder().outline(BRICK).velocity(1e300, 0).build());
+    assertThat(world.shape(Kind.LINE, 0)).isInstanceOf(Outline.class);
+    world.step(1);
+    assertThat(world.shape(Kind.LINE, 0)).isEqualTo(new Line(1e300, 0, 1e300, 0));
+  }
+
   // Questions.
 
   @Test

@@ -6,6 +6,7 @@ import dev.carom.internal.sweep.Polygon;
 import dev.carom.internal.sweep.SegmentSweep;
 import dev.carom.internal.util.Check;
 import dev.carom.internal.util.DoubleList;
+import dev.carom.internal.util.Index;
 
 /** The points of an outline: joined lines that are one obstacle, a polyline or a solid polygon. */
 public final class OutlinePoints {
@@ -46,20 +47,39 @@ public final class OutlinePoints {
       Check.finite("points[" + i + "].x", x(i));
       Check.finite("points[" + i + "].y", y(i));
     }
-    for (int i = 0; i < sides(); i++) {
-      int next = next(i);
-      if (x(i) == x(next) && y(i) == y(next)) {
-        throw Check.refused(
-            "points[" + next + "]", text(next), "another point than the one before");
-      }
+    int repeated = repeated();
+    if (repeated != Index.NONE) {
+      throw Check.refused(
+          "points[" + repeated + "]", text(repeated), "another point than the one before");
     }
-    int[] crossing = isSolid ? Polygon.crossing(xy) : null;
+    int[] crossing = crossing();
     if (crossing != null) {
       throw Check.refused(
           "points",
           "such that side %s and side %s meet".formatted(crossing[0], crossing[1]),
           "a polygon that neither crosses nor touches itself");
     }
+  }
+
+  /** Whether finite points, enough of them, make an outline. */
+  public boolean isOne() {
+    return repeated() == Index.NONE && crossing() == null;
+  }
+
+  /** The first point that is equal to the one before; NONE if there is none. */
+  private int repeated() {
+    for (int i = 0; i < sides(); i++) {
+      int next = next(i);
+      if (x(i) == x(next) && y(i) == y(next)) {
+        return next;
+      }
+    }
+    return Index.NONE;
+  }
+
+  /** Two sides of a polygon that meet, see {@link Polygon#crossing}; null if there are none. */
+  private int[] crossing() {
+    return isSolid ? Polygon.crossing(xy) : null;
   }
 
   private String text(int i) {
