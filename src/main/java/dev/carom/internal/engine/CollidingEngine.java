@@ -22,7 +22,6 @@ import dev.carom.internal.util.Index;
 import dev.carom.internal.util.KindNumber;
 import java.util.Arrays;
 import java.util.Collection;
-import java.util.List;
 
 /**
  * The engine for circles that collide: it handles event after event, in order of time.
@@ -346,13 +345,17 @@ public final class CollidingEngine extends Engine {
     if (!are || (!a.isMember() && !b.isMember()) || pairs.isSilent(a.id, b.id)) {
       return false;
     }
-    for (MovingCircle m : List.of(a, b)) {
-      if (m.isMember()) {
-        contacts.meet(m.id, reached);
-      }
+    int low = a.id;
+    int high = b.id;
+    boolean highMeets = b.isMember();
+    if (a.isMember()) {
+      contacts.meet(low, reached); // which may load others into both
     }
-    scheduler.predict(a.id);
-    scheduler.predict(b.id);
+    if (highMeets) {
+      contacts.meet(high, reached);
+    }
+    scheduler.predict(low);
+    scheduler.predict(high);
     return true;
   }
 

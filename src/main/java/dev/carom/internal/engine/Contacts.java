@@ -249,10 +249,15 @@ final class Contacts implements ContactHost, Shock.Others {
     engine.scheduler().addNear(m.x, m.y, m.radius + reach, found);
     for (int k = 0; k < found.size(); k++) {
       int i = found.get(k);
-      if (i != m.id && (!membersOnly || core.isMember(i)) && registry.meet(i, m.id)) {
+      if (i != m.id && (!membersOnly || core.isMember(i)) && carries(i, m.id)) {
         into.add(i);
       }
     }
+  }
+
+  /** Whether two circles that touch keep each other out: no filter and no sensor lets them pass. */
+  private boolean carries(int i, int j) {
+    return registry.meet(i, j) && !registry.isSensor(i) && !registry.isSensor(j);
   }
 
   // The host.
