@@ -110,7 +110,7 @@ class WorldFuzzTest {
   @ValueSource(
       longs = {
         110_175, 120_123, 140_018, 127, 235, 1_263, 1_519, 2_611, 3_151, 285, 4_031, 4_600, 2_359,
-        2_821
+        2_821, 3_309
       })
   void whatWasFoundUnderGravityIsFoundNoMore(long seed) throws FindingException {
     WorldFuzz fuzz = new WorldFuzz();

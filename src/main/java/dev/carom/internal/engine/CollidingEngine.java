@@ -19,6 +19,7 @@ import dev.carom.internal.state.MovingCircle;
 import dev.carom.internal.state.ObstacleTable;
 import dev.carom.internal.state.SceneData;
 import dev.carom.internal.util.Index;
+import dev.carom.internal.util.IntList;
 import dev.carom.internal.util.KindNumber;
 import java.util.Arrays;
 import java.util.Collection;
@@ -98,6 +99,17 @@ public final class CollidingEngine extends Engine {
 
   EventScheduler scheduler() {
     return scheduler;
+  }
+
+  /** Adds the circles near a place; all of them while they outgrow the cells. */
+  void addNear(double x, double y, double distance, IntList into) {
+    if (!outgrown) {
+      scheduler.addNear(x, y, distance, into);
+      return;
+    }
+    for (int slot : registry.slots()) {
+      into.add(slot);
+    }
   }
 
   /** Rebuilds the scheduler and all predictions from the flights. */

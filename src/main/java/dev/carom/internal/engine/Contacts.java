@@ -246,7 +246,7 @@ final class Contacts implements ContactHost, Shock.Others {
 
   private void addNear(MovingCircle m, double reach, boolean membersOnly, IntList into) {
     found.clear();
-    engine.scheduler().addNear(m.x, m.y, m.radius + reach, found);
+    engine.addNear(m.x, m.y, m.radius + reach, found);
     for (int k = 0; k < found.size(); k++) {
       int i = found.get(k);
       if (i != m.id && (!membersOnly || core.isMember(i)) && carries(i, m.id)) {
@@ -281,7 +281,7 @@ final class Contacts implements ContactHost, Shock.Others {
     staticScene.addNear(place, reach, now, into);
     if (registry.hasInfinite()) {
       found.clear();
-      engine.scheduler().addNear(x, y, place.radius + reach, found);
+      engine.addNear(x, y, place.radius + reach, found);
       for (int k = 0; k < found.size(); k++) {
         if (registry.mass(found.get(k)) == INFINITE) {
           into.add(Codes.circle(found.get(k)));

@@ -8,8 +8,8 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
 
-/** Circles that are sensors, or of infinite mass, among circles in contact under gravity. */
-class SensorCirclesInContactTest {
+/** What circles in contact under gravity take for their neighbours, and what not. */
+class ContactNeighborsTest {
 
   /** A ball leans on a line and on a sensor, which rests beside it: it comes down to the floor. */
   @ParameterizedTest
@@ -55,5 +55,31 @@ class SensorCirclesInContactTest {
     world.advanceTo(40 / 3.0);
     assertThat(world.x(0)).isCloseTo(12, within(1e-9));
     assertThat(world.vx(0)).isEqualTo(-3);
+  }
+
+  /** After a restore, before a step, too, a ball wakes when what it leans on is taken away. */
+  @Test
+  void whatARestoredBallLeansOnCanBeTakenAway() {
+    Scene scene =
+        Scene.builder()
+            .bounds(0, 0, 40, 40)
+            .gravity(1, -10)
+            .circle(38, 2, 2, 0, 0)
+            .restitution(0)
+            .circle(34, 2, 2, 0, 0)
+            .restitution(0)
+            .build();
+    World world = new World(scene);
+    world.advanceTo(20);
+    assertThat(world.isResting(1)).isTrue();
+    World restored = new World(Scene.builder().bounds(0, 0, 40, 40).build());
+    restored.restore(world.snapshot());
+    for (World each : new World[] {world, restored}) {
+      each.remove(Kind.CIRCLE, 0);
+      assertThat(each.isResting(1)).isFalse();
+      each.advanceTo(30);
+      assertThat(each.x(1)).isCloseTo(38, within(0.01));
+    }
+    assertThat(restored.snapshot()).isEqualTo(world.snapshot());
   }
 }
