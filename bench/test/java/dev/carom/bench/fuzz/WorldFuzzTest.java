@@ -104,7 +104,9 @@ class WorldFuzzTest {
    * 1,519 and 2,611 a heavy circle comes to rest, and its load is left on one of 1e-150 its mass.
    * In 3,151 a ball is in contact for a tick, and then slides on the same parabola. In 285 what
    * holds a calm circle is taken away. In 4,031 something very fast comes to a squeezed circle. In
-   * 4,600 a ball that leans on another one rests on a slope, and that one rolls away.
+   * 4,600 a ball that leans on another one rests on a slope, and that one rolls away. In 2,359 an
+   * infinite mass meets a heap and loses the line behind it; in 2,821 a ball leans on a sensor; in
+   * 3,309 what a ball leans on is moved after a restore.
    */
   @ParameterizedTest
   @ValueSource(
@@ -117,6 +119,15 @@ class WorldFuzzTest {
     fuzz.play(seed);
 
     assertThat(fuzz.impacts()).isPositive();
+  }
+
+  /** An infinite mass that passes over a stuck circle stands on its centre when it hits a wall. */
+  @Test
+  void aRowOfConcentricCirclesHasANormal() throws FindingException {
+    WorldFuzz fuzz = new WorldFuzz();
+    fuzz.play(12_266);
+
+    assertThat(fuzz.jams()).isPositive();
   }
 
   /** Trapped circles, a pocket, a heap, and infinite masses. */

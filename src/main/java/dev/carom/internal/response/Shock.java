@@ -512,7 +512,8 @@ public final class Shock {
     int first = turns ? j : i;
     MovingCircle m = bodies.get(first);
     int code = codeOf(k, first);
-    double nx = turns ? -pairs.nx[k] : pairs.nx[k];
+    boolean isConcentric = pairs.nx[k] == 0 && pairs.ny[k] == 0; // along +x, as a separation
+    double nx = isConcentric ? 1 : turns ? -pairs.nx[k] : pairs.nx[k];
     double ny = turns ? -pairs.ny[k] : pairs.ny[k];
     int feature = part < 0 ? Part.CIRCLE : parts.feature(part, m.filter);
     double speed = Math.scalb(pairs.opening(before, k), exponent);
