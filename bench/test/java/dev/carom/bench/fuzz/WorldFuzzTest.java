@@ -106,13 +106,14 @@ class WorldFuzzTest {
    * holds a calm circle is taken away. In 4,031 something very fast comes to a squeezed circle. In
    * 4,600 a ball that leans on another one rests on a slope, and that one rolls away. In 2,359 an
    * infinite mass meets a heap and loses the line behind it; in 2,821 a ball leans on a sensor; in
-   * 3,309 what a ball leans on is moved after a restore.
+   * 3,309 what a ball leans on is moved after a restore. In 6,137 what is squeezed after others
+   * were removed goes on otherwise when it is restored.
    */
   @ParameterizedTest
   @ValueSource(
       longs = {
         110_175, 120_123, 140_018, 127, 235, 1_263, 1_519, 2_611, 3_151, 285, 4_031, 4_600, 2_359,
-        2_821, 3_309
+        2_821, 3_309, 6_137
       })
   void whatWasFoundUnderGravityIsFoundNoMore(long seed) throws FindingException {
     WorldFuzz fuzz = new WorldFuzz();

@@ -98,6 +98,11 @@ final class Parts {
     this.circles = circles;
   }
 
+  /** The id of a circle, which a save keeps, unlike its slot. */
+  int id(int slot) {
+    return registry == null ? slot : registry.id(slot);
+  }
+
   // What there is.
 
   /** Notes that obstacles, or infinite masses, changed; {@link #update} then forgets all parts. */

@@ -120,7 +120,7 @@ final class Squeeze {
     int i = p.owner[k];
     int j = p.other[k];
     double r = j < n ? Math.min(members.radius[i], members.radius[j]) : members.radius[i];
-    double spread = SPREAD * (i + (j < n ? j : 0));
+    double spread = SPREAD * (parts.id(i) + (j < n ? parts.id(j) : 0)); // slots change by a save
     p.standoff[k] = ContactLaw.WIDE * r * (0.5 + spread - Math.floor(spread));
   }
 
