@@ -186,7 +186,7 @@ final class FallSearch extends FallTimes {
 
   private void considerWall(int code) {
     if (!ignores(code) && !passesAsMember(code)) {
-      offer(wallTime(code, to), code);
+      offer(wallTime(code, asked()), code);
     }
   }
 
@@ -240,8 +240,13 @@ final class FallSearch extends FallTimes {
   private void ask(int code) {
     if (!isGone() && !ignores(code) && !passesAsMember(code)) {
       double middle = enter + 0.5 * (to - enter); // NaN outside of the walk: no time is expected
-      offer(time(code, middle, to), code);
+      offer(time(code, middle, asked()), code);
     }
+  }
+
+  /** A bit beyond: what is exactly later than a time, but rounds to it, ties with the best one. */
+  private double asked() {
+    return Math.nextUp(to);
   }
 
   /**
