@@ -4,6 +4,7 @@ package dev.carom.bench.cli;
 import static org.assertj.core.api.Assertions.assertThat;
 
 import dev.carom.Kind;
+import dev.carom.Outline;
 import dev.carom.Scene;
 import dev.carom.Vec2;
 import java.io.IOException;
@@ -63,8 +64,9 @@ class HarnessPageTest {
   void theSampleOfASceneFileIsRead() throws IOException {
     String sample = all("(?s)## Scene files.*?```\n(.*?)```").get(0);
     Scene scene = Scene.read(new StringReader(sample), "the sample");
-    assertThat(scene.count(Kind.LINE)).isEqualTo(3);
-    assertThat(scene.velocity(Kind.LINE, 2)).isEqualTo(new Vec2(2, 0));
+    assertThat(scene.count(Kind.LINE)).isEqualTo(4);
+    assertThat(scene.shape(Kind.LINE, 2)).isInstanceOf(Outline.class);
+    assertThat(scene.velocity(Kind.LINE, 3)).isEqualTo(new Vec2(2, 0));
     assertThat(scene.count(Kind.PEG)).isEqualTo(2);
     assertThat(scene.count(Kind.CIRCLE)).isEqualTo(3);
     assertThat(scene.collide()).isFalse();
