@@ -6,7 +6,6 @@ import dev.carom.internal.state.MovingCircle;
 import dev.carom.internal.state.ObstacleTable;
 import dev.carom.internal.sweep.Hit;
 import dev.carom.internal.util.Check;
-import dev.carom.internal.util.Part;
 import java.util.Arrays;
 
 /**
@@ -186,7 +185,7 @@ public final class Casts {
     int code = first.next;
     int feature = ObstacleTable.part(code, first.contact);
     int named = obstacles.named(code, feature);
-    int itsFeature = named == code ? feature : Part.START;
+    int itsFeature = obstacles.featureNamed(code, feature);
     keep(i, first.cleared, Codes.kind(code), id, itsFeature, hit.nx(), hit.ny());
     parts[i] = Codes.isLine(named) ? obstacles.side(named) : 0;
   }

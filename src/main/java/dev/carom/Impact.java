@@ -7,7 +7,6 @@ import dev.carom.internal.state.ObstacleTable;
 import dev.carom.internal.sweep.Contact;
 import dev.carom.internal.sweep.Hit;
 import dev.carom.internal.util.Check;
-import dev.carom.internal.util.Part;
 
 /**
  * An {@code Impact} is the contact of a moving circle with an obstacle or with another circle. It
@@ -22,9 +21,9 @@ import dev.carom.internal.util.Part;
  * @param id the id of the thing that was hit. From a {@link Resolver} it is the place in the list
  *     of its kind that the resolver was made of. For a wall it is 0 left, 1 right, 2 bottom, 3 top.
  *     From the detector alone it is -1, except for walls
- * @param part of an {@link Outline} the number of the side that was hit, from point i to the next
- *     one; a vertex is the {@link Feature#START} of the side that begins there, or the {@link
- *     Feature#END} of the one that ends there. 0 of all else
+ * @param part of an {@link Outline} the number of the side that was hit, see {@link Outline#side};
+ *     of all else 0. A vertex is the {@link Feature#START} of the side that begins there; only the
+ *     last point of a polyline, where none begins, is the {@link Feature#END} of the last side
  * @param feature the feature that was hit
  * @param x the x coordinate of the contact point, on the thing that was hit; of two circles that of
  *     the point where they touch. If they overlap at the start, the point is that of the line or
@@ -115,7 +114,7 @@ public record Impact(
         Kind.of(Codes.kind(code)),
         id,
         obstacles.side(named),
-        Feature.of(named == code ? feature : Part.START),
+        Feature.of(obstacles.featureNamed(code, feature)),
         hit.x(),
         hit.y(),
         hit.nx(),

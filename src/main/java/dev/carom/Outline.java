@@ -38,8 +38,9 @@ public record Outline(List<Vec2> points, boolean solid) implements Obstacle {
    *
    * @param points the vertices
    * @param solid whether it is a solid polygon
-   * @throws IllegalArgumentException if there are too few points, if two that follow each other are
-   *     equal, or if a solid polygon crosses or touches itself
+   * @throws IllegalArgumentException if there are too few points; if two that follow each other are
+   *     equal, as the last and the first of a solid polygon do; or if a solid polygon crosses or
+   *     touches itself
    */
   public Outline {
     points = copy(points);
@@ -57,10 +58,10 @@ public record Outline(List<Vec2> points, boolean solid) implements Obstacle {
   /**
    * Makes a polyline.
    *
-   * @param xy x, y, x, y, ... of its points
+   * @param xy x, y, x, y, ... of its points, finite
    * @return the outline
-   * @throws IllegalArgumentException if the number of coordinates is odd, one of them NaN or
-   *     infinite, or the points are refused as by {@link Outline}
+   * @throws IllegalArgumentException if a coordinate is NaN or infinite, if their number is odd, or
+   *     for what the constructor refuses
    */
   public static Outline polyline(double... xy) {
     return new Outline(points(xy), false);
@@ -69,10 +70,10 @@ public record Outline(List<Vec2> points, boolean solid) implements Obstacle {
   /**
    * Makes a solid polygon.
    *
-   * @param xy x, y, x, y, ... of its vertices
+   * @param xy x, y, x, y, ... of its vertices, finite
    * @return the outline
-   * @throws IllegalArgumentException if the number of coordinates is odd, one of them NaN or
-   *     infinite, or the points are refused as by {@link Outline}
+   * @throws IllegalArgumentException if a coordinate is NaN or infinite, if their number is odd, or
+   *     for what the constructor refuses
    */
   public static Outline polygon(double... xy) {
     return new Outline(points(xy), true);

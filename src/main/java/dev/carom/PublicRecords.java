@@ -24,11 +24,6 @@ final class PublicRecords {
     return Codes.isLine(code) ? lines(obstacles, code, now) : peg(obstacles, code, now);
   }
 
-  /** An obstacle, of an outline one side, as it is at a time. */
-  static Obstacle part(ObstacleTable obstacles, int code, double now) {
-    return Codes.isLine(code) ? line(obstacles, code, now) : of(obstacles, code, now);
-  }
-
   /** A line, or an outline, of which the code of the first side is given, as it is at a time. */
   private static Obstacle lines(ObstacleTable obstacles, int code, double now) {
     double[][] rows = new double[obstacles.endOf(code) - code][];

@@ -29,7 +29,6 @@ import java.util.List;
 import java.util.Optional;
 import java.util.Set;
 import java.util.function.DoubleSupplier;
-import java.util.stream.IntStream;
 
 /** Answers questions about obstacles, and about the circles of a world. */
 final class Questions implements Resolver {
@@ -339,15 +338,24 @@ final class Questions implements Resolver {
   }
 
   private int[] overlapping(Kind kind, Region region) {
-    int number = Check.notNull("kind", kind).ordinal();
-    if (kind == Kind.CIRCLE && circles == null) {
+    int[] codes = codesOverlapping(Check.notNull("kind", kind), region);
+    if (kind != Kind.CIRCLE) {
+      return obstacles.ids(codes);
+    }
+    Arrays.setAll(codes, k -> registry.id(Codes.slot(codes[k])));
+    return codes;
+  }
+
+  /** The codes of what overlaps a region; of outlines, see {@link Proximity#overlapping}. */
+  private int[] codesOverlapping(Kind kind, Region region) {
+    if (kind != Kind.CIRCLE) {
+      return proximity.overlapping(kind.ordinal(), region, obstacles.met(filter));
+    }
+    if (circles == null) {
       return new int[0];
     }
-    if (kind != Kind.CIRCLE) {
-      return obstacles.ids(proximity.overlapping(number, region, obstacles.met(filter)));
-    }
     int[] found = circles.overlapping(region, clock.getAsDouble(), this::isMet);
-    Arrays.setAll(found, k -> registry.id(found[k]));
+    Arrays.setAll(found, k -> Codes.circle(found[k]));
     return found;
   }
 
@@ -362,7 +370,7 @@ final class Questions implements Resolver {
       Circle wide = new Circle(circle.center(), most);
       Questions own = new Questions(shared, registry.filter(slot));
       for (Kind kind : Kind.values()) {
-        for (int code : own.codesOverlapping(kind, wide)) {
+        for (int code : own.codesOverlapping(kind, PublicRecords.region(wide))) {
           boolean isCircle = kind == Kind.CIRCLE;
           if (isCircle ? touches(slot, Codes.slot(code)) : isSolid(code, circle)) {
             add(contacts, code, answer(kind, code, circle.x(), circle.y()), circle);
@@ -371,22 +379,6 @@ final class Questions implements Resolver {
       }
     }
     return List.copyOf(contacts);
-  }
-
-  private int[] codesOverlapping(Kind kind, Circle disk) {
-    int[] all = IntStream.of(overlapping(kind, disk)).map(id -> code(kind, id)).toArray();
-    return kind == Kind.CIRCLE
-        ? all
-        : IntStream.of(all)
-            .flatMap(obstacles::codesOf)
-            .filter(code -> disk.overlaps(PublicRecords.part(obstacles, code, clock.getAsDouble())))
-            .toArray();
-  }
-
-  private int code(Kind kind, int id) {
-    return kind == Kind.CIRCLE
-        ? Codes.circle(registry.slot(id))
-        : obstacles.code(kind.ordinal(), id);
   }
 
   /** Tells whether a circle that is near another one is in contact with it. */
@@ -406,17 +398,19 @@ final class Questions implements Resolver {
   }
 
   /**
-   * Tells whether an obstacle stops a circle: it is no sensor, and no one-way line on its right.
+   * Tells whether an obstacle stops a circle: it is no sensor, no one-way line on its right, and no
+   * polygon that it is in.
    */
   private boolean isSolid(int code, Circle circle) {
-    if (obstacles.isSensor(code)) {
+    double now = clock.getAsDouble();
+    if (obstacles.isSensor(code) || obstacles.isInside(code, circle.x(), circle.y(), now)) {
       return false;
     }
     int outside = Codes.isWall(code) ? 0 : obstacles.isOneWay(code) ? 1 : obstacles.outside(code);
     if (outside == 0) {
       return true;
     }
-    Line line = PublicRecords.line(obstacles, code, clock.getAsDouble());
+    Line line = PublicRecords.line(obstacles, code, now);
     int side = LineShape.side(line.ax(), line.ay(), line.bx(), line.by(), circle.x(), circle.y());
     return side * outside > 0;
   }

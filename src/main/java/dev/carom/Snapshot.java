@@ -75,9 +75,9 @@ public final class Snapshot {
    * Writes this snapshot in a format of its own, with a version and a check sum.
    *
    * <p>It takes 105 bytes a circle, 41 a line, 33 a peg, and 151 for the rest, 119 without bounds.
-   * To these come 52 more for each line or peg that moves or moved before, 1 for each that was
-   * removed, and 4 for each side of an outline, which counts as a line, but the first. Some states
-   * of one circle make all circles larger:
+   * To these come 52 more for each line or peg that moves or moved before, and 1 for each that was
+   * removed. Each side of an outline is a line, and each but its first takes 4 more. Some states of
+   * one circle make all circles larger:
    *
    * <ul>
    *   <li>If any circle falls, slides or rests, all take 24 more.

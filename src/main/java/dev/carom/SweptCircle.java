@@ -324,9 +324,9 @@ public record SweptCircle(
   /**
    * Finds the first impact of this circle with an obstacle of any kind.
    *
-   * @param obstacle a line, an outline, a peg or bounds; of bounds the wall that is hit first is
-   *     reported, as {@link Feature#SIDE}: exactly the earliest one, and the vertical one of two
-   *     that are hit at exactly the same time
+   * @param obstacle a line, an outline, a peg or bounds. Of bounds the wall that is hit first is
+   *     reported, as {@link Feature#SIDE}. It is exactly the earliest one; of two that are hit at
+   *     exactly the same time it is the vertical one
    * @param maxTime the end of the window
    * @return the impact; its approach speed is the one at the moment of impact; empty for a miss
    * @throws IllegalArgumentException if maxTime is NaN or negative

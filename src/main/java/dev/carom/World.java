@@ -395,8 +395,9 @@ public final class World implements Resolver {
    * @param kind its kind
    * @param id its id
    * @return a {@link Line} for a line, an {@link Outline} for an outline, a {@link Circle} for a
-   *     peg or a circle, the {@link Bounds} for a wall; a coordinate that moved beyond the range of
-   *     doubles is the largest one
+   *     peg or a circle, the {@link Bounds} for a wall. A coordinate that moved beyond the range of
+   *     doubles is the largest one. Of an outline that moved so far away that its points round to
+   *     ones that make none, it is the first side, a {@link Line}
    * @throws IndexOutOfBoundsException if there is no such thing
    */
   public Obstacle shape(Kind kind, int id) {
@@ -847,7 +848,8 @@ public final class World implements Resolver {
    * flight meets it begin a new flight.
    *
    * @param outline a polyline or a solid polygon
-   * @param traits its traits, those of all its sides, of mass 1; of a solid one not one-way
+   * @param traits the traits of each of its sides, of mass 1. Circles pass a one-way polyline where
+   *     they come from the right of a side; a solid polygon cannot be one-way
    * @return its id
    * @throws IllegalArgumentException if a coordinate is so large that 2^10 ulps of it exceed the
    *     smallest radius above 0 that a circle of this world ever had; if the mass is not 1; if a

@@ -274,6 +274,25 @@ class OutlineTest {
     assertThat(world.y(0)).isLessThan(4);
   }
 
+  /** A ball whose centre is in a polygon is not in contact with its inner corner. */
+  @Test
+  void insideNothingIsInContact() {
+    World world =
+        new World(
+            Scene.builder()
+                .gravity(0, -10)
+                .line(-4, -0.04, 4, -0.04)
+                .circle(1.2, 0.5, 0.54, 0, 0)
+                .restitution(0)
+                .build());
+    world.advanceTo(1);
+    int corner =
+        world.addOutline(Outline.polygon(-5, -5, 5, -5, 5, 1, 1, 1, 1, 5, -5, 5), Traits.DEFAULT);
+    world.advanceTo(2);
+    assertThat(world.overlapping(Kind.LINE, new Circle(1.2, 0.5, 0.539))).contains(corner);
+    assertThat(world.contacts(0)).extracting(Contact::id).containsExactly(0);
+  }
+
   // Edits.
 
   @Test

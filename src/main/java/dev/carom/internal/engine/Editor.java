@@ -4,7 +4,6 @@ package dev.carom.internal.engine;
 import dev.carom.internal.state.CircleRegistry;
 import dev.carom.internal.state.CircleTable;
 import dev.carom.internal.state.Codes;
-import dev.carom.internal.state.ContactFlags;
 import dev.carom.internal.state.FilterBits;
 import dev.carom.internal.state.MovingCircle;
 import dev.carom.internal.state.ObstacleRows;
@@ -107,7 +106,7 @@ public final class Editor {
       checkPlace(x, y);
       limits.checkRadius(radius, x, y, haveLines());
       checkVelocity(vx, vy);
-      traits.check(KindNumber.CIRCLE);
+      traits.check(KindNumber.CIRCLE, 0);
     } catch (IllegalArgumentException e) {
       throw named(e, KindNumber.CIRCLE, registry.idLimit());
     }
@@ -227,7 +226,7 @@ public final class Editor {
       double now) {
     set(first, second, third, fourth);
     ObstacleRows rows = obstacles.ofKind(kind);
-    checkNew(rows, 1, () -> check(rows), traits);
+    checkNew(rows, 1, () -> check(rows), traits, 0);
     int code = obstacles.add(kind, numbers);
     keepPlace(rows);
     return added(code, traits, now);
@@ -236,11 +235,8 @@ public final class Editor {
   /** Adds an outline. */
   public int add(OutlinePoints outline, TraitValues traits, double now) {
     ObstacleRows rows = obstacles.lines;
-    checkNew(rows, outline.sides(), () -> check(outline), traits);
-    if (outline.isSolid() && ContactFlags.isOneWay(traits.flags())) {
-      throw named(
-          Check.refused("oneWay", true, ContactFlags.NOT_ONE_WAY), rows.kind(), rows.idLimit());
-    }
+    Runnable shape = () -> check(outline);
+    checkNew(rows, outline.sides(), shape, traits, outline.outside());
     int code = obstacles.add(outline);
     keepPlace(outline);
     return added(code, traits, now);
@@ -253,12 +249,13 @@ public final class Editor {
   }
 
   /** Refuses an obstacle of so many rows whose shape or traits cannot be. */
-  private void checkNew(ObstacleRows rows, int count, Runnable shape, TraitValues traits) {
+  private void checkNew(
+      ObstacleRows rows, int count, Runnable shape, TraitValues traits, int outside) {
     int id = rows.idLimit();
     checkId(rows.kind(), rows.count() + count - 1, Codes.limit(rows.kind()));
     try {
       shape.run();
-      traits.check(rows.kind());
+      traits.check(rows.kind(), outside);
     } catch (IllegalArgumentException e) {
       throw named(e, rows.kind(), id);
     }
@@ -453,10 +450,7 @@ public final class Editor {
 
   private void check(TraitValues traits, int code) {
     try {
-      traits.check(Codes.kind(code));
-      if (ContactFlags.isOneWay(traits.flags()) && obstacles.outside(code) != 0) {
-        throw Check.refused("oneWay", true, ContactFlags.NOT_ONE_WAY);
-      }
+      traits.check(Codes.kind(code), obstacles.outside(code));
     } catch (IllegalArgumentException e) {
       throw named(e, code);
     }

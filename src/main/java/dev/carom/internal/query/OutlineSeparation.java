@@ -12,12 +12,14 @@ import dev.carom.internal.util.Check;
  * perpendicular on one of the pieces, or a corner where two of them cross. So those are tried, the
  * nearest one first, and the first one that does not overlap is the answer.
  *
- * <p>The moved centre is rounded, and a place that is rounded inwards overlaps. So all places are
- * sought at a distance of r and 0, 1, 2, 4 and 8 ulps of the size, as {@link Separation} does, and,
- * if none is free, beyond: at sharp corners rounding moves a place by more.
+ * <p>The moved centre is rounded, and a place that is rounded inwards overlaps. So places are
+ * sought at a distance of r and 0, 1, 2, 4 and 8 ulps of the size, as {@link Separation} does. At
+ * sharp corners rounding moves a place by more: if none of these is free, the ulps are doubled
+ * until one is.
  */
 public final class OutlineSeparation {
 
+  /** Up to so many ulps of the size are added, even if fewer gave a free place. */
   private static final double MOST = 8;
 
   private final double x;

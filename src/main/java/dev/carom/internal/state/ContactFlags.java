@@ -27,9 +27,6 @@ public final class ContactFlags {
   /** All flags that a line can have. */
   public static final int MOST_OF_LINES = RESPONSE | ONE_WAY | OUTSIDE;
 
-  /** What is expected of a solid outline that shall be one-way. */
-  public static final String NOT_ONE_WAY = "false: a solid outline keeps circles out on all sides";
-
   private ContactFlags() {}
 
   public static int with(int traits, int response) {

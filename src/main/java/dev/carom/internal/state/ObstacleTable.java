@@ -301,6 +301,11 @@ public final class ObstacleTable {
     return next == Index.NONE ? code : next;
   }
 
+  /** The feature that {@link #named} means: the start of the next side for the end of one. */
+  public int featureNamed(int code, int feature) {
+    return named(code, feature) == code ? feature : Part.START;
+  }
+
   /** The side of a solid polygon that shares an end with one of its sides. */
   public int neighbor(int code, boolean atStart) {
     return atStart && code != firstOf(code) ? code - 1 : atStart ? endOf(code) - 1 : nextSide(code);

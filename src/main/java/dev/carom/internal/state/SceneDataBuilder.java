@@ -96,10 +96,7 @@ public final class SceneDataBuilder {
 
   public void traits(TraitValues traits) {
     expectThing("traits");
-    check(last, () -> traits.check(Codes.kind(last)));
-    if (ContactFlags.isOneWay(traits.flags())) {
-      check(last, this::checkOneWay);
-    }
+    check(last, () -> traits.check(Codes.kind(last), obstacles.outside(last)));
     if (Codes.isCircle(last)) {
       circles.setLast(traits.restitution());
       traits.set(registry, Codes.slot(last));
@@ -171,14 +168,8 @@ public final class SceneDataBuilder {
     if (!Codes.isLine(last)) {
       throw new IllegalStateException("one-way belongs to the line just added: add one first");
     }
-    check(last, this::checkOneWay);
+    check(last, () -> TraitValues.checkOneWay("oneway", true, obstacles.outside(last)));
     setTraits(ContactFlags.withOneWay(traits(), true));
-  }
-
-  private void checkOneWay() {
-    if (obstacles.outside(last) != 0) {
-      throw Check.refused("oneway", true, ContactFlags.NOT_ONE_WAY);
-    }
   }
 
   /** Lets the line or the peg just added move with a velocity. */

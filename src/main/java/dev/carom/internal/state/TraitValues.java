@@ -13,15 +13,23 @@ import dev.carom.internal.util.KindNumber;
  */
 public record TraitValues(double restitution, double mass, int flags, long filter) {
 
-  /** Refuses what a thing of a {@link KindNumber} cannot be. */
-  public void check(int kind) {
+  /** Refuses what a thing of a {@link KindNumber}, of an outside as polygons have, cannot be. */
+  public void check(int kind, int outside) {
     if (mass != 1 && kind != KindNumber.CIRCLE) {
       throw Check.refused("mass", mass, "1: only circles have another");
     }
     if (ContactFlags.isOneWay(flags) && kind != KindNumber.LINE) {
       throw Check.refused("oneWay", true, "false: only lines are one-way");
     }
+    checkOneWay("oneWay", ContactFlags.isOneWay(flags), outside);
     checkResponse(kind, ContactFlags.response(flags));
+  }
+
+  /** Refuses that a solid outline is one-way; 0 is the outside of other things. */
+  static void checkOneWay(String name, boolean isOneWay, int outside) {
+    if (isOneWay && outside != 0) {
+      throw Check.refused(name, true, "false: a solid outline keeps circles out on all sides");
+    }
   }
 
   static void checkResponse(int kind, int response) {
