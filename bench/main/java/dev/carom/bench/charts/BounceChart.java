@@ -10,7 +10,7 @@ import java.util.List;
 public final class BounceChart {
 
   private static final int HEIGHT = 360;
-  private static final double NAMES = 150;
+  private static final double NAMES = 110;
 
   private final String description;
   private final Marks marks;
@@ -29,23 +29,19 @@ public final class BounceChart {
     this.curves = List.copyOf(curves);
   }
 
-  /**
-   * Draws it.
-   *
-   * @param width {@link Picture#WIDE} or {@link Picture#PANEL}
-   */
-  public Picture picture(int width) {
-    return new Picture(width, HEIGHT, description, g -> draw(g, width));
+  /** Draws it. */
+  public Picture picture() {
+    return new Picture(Picture.PANEL, HEIGHT, description, this::draw);
   }
 
-  private void draw(Graphics2D g, int width) {
+  private void draw(Graphics2D g) {
     DecadeAxis bounces =
         DecadeAxis.covering(
             curves.stream().flatMapToDouble(c -> Arrays.stream(c.x())), BounceChart::power);
     bounces.setLabel("bounces");
     DecadeAxis errors =
         CurvePanel.heights(curves, "energy error, as a part of the energy", BounceChart::power);
-    Rectangle2D where = new Rectangle2D.Double(2, 0, width - 4, HEIGHT - 4);
+    Rectangle2D where = new Rectangle2D.Double(2, 0, Picture.PANEL - 4, HEIGHT - 4);
     CurvePanel.draw(g, where, NAMES, bounces, errors, marks, curves);
   }
 

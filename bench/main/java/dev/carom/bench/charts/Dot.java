@@ -41,7 +41,7 @@ public record Dot(
   }
 
   /** Whether it stands in the gutter of those without any error. */
-  boolean exact() {
+  public boolean exact() {
     return !failed() && error == 0;
   }
 }

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 package dev.carom.bench.charts;
 
-import java.awt.Color;
 import java.awt.Font;
 import java.awt.Graphics2D;
 import java.awt.font.FontRenderContext;
@@ -20,7 +19,7 @@ import java.util.List;
 final class DotLabels {
 
   /** A text, the dot that it belongs to, and where it ended up. */
-  record Label(double x, double y, String text, Font font, Color color, int rank) {
+  record Label(double x, double y, String text) {
 
     List<String> lines() {
       return text.lines().toList();
@@ -30,18 +29,15 @@ final class DotLabels {
   /** Where a text stands, and what that costs were it alone. */
   record Placed(Label label, Rectangle2D box, double alone) {}
 
+  private static final Font FONT = Style.bold(11);
+
   private static final double[] DISTANCES = {8, 14, 22, 32, 44, 58, 74, 92, 112, 134};
   private static final int DIRECTIONS = 16;
   private static final int ROUNDS = 4;
 
-  /**
-   * Orders in which labels choose their places. Of equal costs, that of important labels first
-   * wins.
-   */
+  /** Orders in which labels choose their places. Of equal costs the first wins. */
   private static final List<Comparator<Label>> ORDERS =
       List.of(
-          Comparator.comparingInt(Label::rank),
-          Comparator.comparingInt(Label::rank).reversed(),
           Comparator.comparingDouble(Label::x),
           Comparator.comparingDouble(Label::x).reversed(),
           Comparator.comparingDouble(Label::y),
@@ -93,9 +89,9 @@ final class DotLabels {
     return this;
   }
 
-  /** Adds a text; those of lower rank choose first. */
-  DotLabels add(double x, double y, String text, Font font, Color color, int rank) {
-    labels.add(new Label(x, y, text, font, color, rank));
+  /** Adds a text. */
+  DotLabels add(double x, double y, String text) {
+    labels.add(new Label(x, y, text));
     return this;
   }
 
@@ -104,9 +100,9 @@ final class DotLabels {
       Label label = placed.label;
       Rectangle2D box = placed.box;
       join(g, label, box);
-      g.setFont(label.font);
-      g.setColor(label.color);
-      Rectangle2D line = line(label, label.text);
+      g.setFont(FONT);
+      g.setColor(Style.INK);
+      Rectangle2D line = line(label.text);
       double base = box.getY() - line.getY();
       for (String text : label.lines()) {
         g.drawString(text, (float) box.getX(), (float) base);
@@ -206,15 +202,15 @@ final class DotLabels {
     double width = 0;
     double height = 0;
     for (String text : label.lines()) {
-      Rectangle2D line = line(label, text);
+      Rectangle2D line = line(text);
       width = Math.max(width, line.getWidth());
       height += line.getHeight();
     }
     return new Rectangle2D.Double(0, 0, width, height);
   }
 
-  private static Rectangle2D line(Label label, String text) {
-    return label.font.getStringBounds(text, CONTEXT);
+  private static Rectangle2D line(String text) {
+    return FONT.getStringBounds(text, CONTEXT);
   }
 
   private double cost(Placed one, List<Placed> placed) {

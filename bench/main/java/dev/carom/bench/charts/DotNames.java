@@ -13,7 +13,7 @@ final class DotNames {
   /** Marks nearer than this, in px, cover each other. */
   private static final double COVERED = 7;
 
-  /** In small panels a text is broken after a name that ends beyond so many characters. */
+  /** A text is broken after a name that ends beyond so many characters. */
   private static final int LINE = 20;
 
   private record Name(double x, double y, String text) {
@@ -23,30 +23,18 @@ final class DotNames {
     }
   }
 
-  private final double scale;
   private final List<Name> methods = new ArrayList<>();
-  private final List<Name> knobs = new ArrayList<>();
-
-  /** Takes the scale of texts. */
-  DotNames(double scale) {
-    this.scale = scale;
-  }
 
   /** Names a method at one of its dots. */
-  void method(double x, double y, String text) {
+  void add(double x, double y, String text) {
     methods.add(new Name(x, y, text));
-  }
-
-  /** Tells the knob of a dot. */
-  void knob(double x, double y, String text) {
-    knobs.add(new Name(x, y, text));
   }
 
   private String joined(List<Name> here) {
     StringBuilder text = new StringBuilder(here.get(0).text);
     int line = text.length();
     for (Name name : here.subList(1, here.size())) {
-      boolean broken = scale < 1 && line + name.text.length() > LINE;
+      boolean broken = line + name.text.length() > LINE;
       text.append(broken ? ",\n" : ", ").append(name.text);
       line = (broken ? 0 : line) + name.text.length();
     }
@@ -59,10 +47,7 @@ final class DotNames {
       Name first = left.get(0);
       List<Name> here = left.stream().filter(first::isAt).toList();
       left.removeAll(here);
-      labels.add(first.x, first.y, joined(here), Style.bold(Math.rint(scale * 12)), Style.INK, 0);
-    }
-    for (Name knob : knobs) {
-      labels.add(knob.x, knob.y, knob.text, Style.font(11), Style.QUIET, 1);
+      labels.add(first.x, first.y, joined(here));
     }
   }
 }

@@ -22,7 +22,6 @@ final class DotPanel {
   private static final double GUTTER = 0.13;
   private static final double DOT = 6;
   private static final double WHISKER = 3;
-  private static final double CLUSTER = 14;
   private static final double SIDE_BY_SIDE = 2.4 * DOT;
 
   private final Graphics2D g;
@@ -31,15 +30,11 @@ final class DotPanel {
   private final Marks marks;
   private final List<Dot> dots;
   private final DotLabels labels;
-  private final DotNames names;
-  private final boolean small;
+  private final DotNames names = new DotNames();
   private DoubleFunction<String> workText = value -> Durations.number(value, 3);
 
-  private DotPanel(
-      Graphics2D g, Axes axes, DecadeAxis errors, Marks marks, List<Dot> dots, double scale) {
+  private DotPanel(Graphics2D g, Axes axes, DecadeAxis errors, Marks marks, List<Dot> dots) {
     this.g = g;
-    names = new DotNames(scale);
-    small = scale < 1;
     this.axes = axes;
     this.errors = errors;
     this.marks = marks;
@@ -67,7 +62,7 @@ final class DotPanel {
     return Math.abs(exponent) < 3.5 ? Durations.number(value, 1) : "1e" + Math.round(exponent);
   }
 
-  /** Draws a panel; the budget is a height marked by a line, NaN for none; scale is of texts. */
+  /** Draws a panel; the budget is a height marked by a line, NaN for none. */
   static void draw(
       Graphics2D g,
       Rectangle2D where,
@@ -75,10 +70,9 @@ final class DotPanel {
       DecadeAxis work,
       Marks marks,
       List<Dot> dots,
-      double budget,
-      double scale) {
+      double budget) {
     Axes axes = Axes.draw(g, where, errors, work);
-    DotPanel panel = new DotPanel(g, axes, errors, marks, dots, scale);
+    DotPanel panel = new DotPanel(g, axes, errors, marks, dots);
     panel.workText = work::text;
     panel.gutters();
     panel.budget(budget);
@@ -92,7 +86,7 @@ final class DotPanel {
   private void gutters() {
     Rectangle2D a = axes.area();
     if (dots.stream().anyMatch(Dot::exact)) {
-      gutter(a.getMinX(), axes.x(errors.least()), "no error");
+      gutter(a.getMinX(), axes.x(errors.least()), "0");
     }
     if (dots.stream().anyMatch(Dot::failed)) {
       gutter(axes.x(errors.most()), a.getMaxX(), "failed");
@@ -212,8 +206,12 @@ final class DotPanel {
     return byMethod;
   }
 
+  /** Ours last, on top. */
   private void dots() {
-    byMethod().values().forEach(this::dots);
+    byMethod().values().stream()
+        .sorted(Comparator.comparing(ofMethod -> Marks.isOurs(ofMethod.get(0).method())))
+        .forEach(this::dots);
+    byMethod().values().forEach(this::name);
   }
 
   private void dots(List<Dot> ofMethod) {
@@ -225,7 +223,11 @@ final class DotPanel {
       Hover.over(g, text(dot), () -> mark(dot));
       labels.avoid(x(dot), y(dot), DOT);
     }
-    name(ofMethod);
+  }
+
+  private void name(List<Dot> ofMethod) {
+    Dot last = ofMethod.get(ofMethod.size() - 1);
+    names.add(x(last), y(last), marks.name(last.method()));
   }
 
   private void mark(Dot dot) {
@@ -276,38 +278,5 @@ final class DotPanel {
     g.draw(new Line2D.Double(x - WHISKER, top, x + WHISKER, top));
     g.draw(new Line2D.Double(x - WHISKER, bottom, x + WHISKER, bottom));
     labels.avoid(x, top, x, bottom);
-  }
-
-  /**
-   * The method's name stands once on its line, and at a peer's defaults; the knob at each dot. Dots
-   * that nearly cover each other share a text.
-   */
-  private void name(List<Dot> ofMethod) {
-    int from = 0;
-    for (int i = 1; i <= ofMethod.size(); i++) {
-      boolean last = i == ofMethod.size();
-      if (last || !areOne(ofMethod.get(from), ofMethod.get(i))) {
-        name(ofMethod.get(from), ofMethod.get(i - 1), last);
-        from = i;
-      }
-    }
-  }
-
-  private boolean areOne(Dot first, Dot next) {
-    return Math.hypot(x(first) - x(next), y(first) - y(next)) < CLUSTER
-        && first.failed() == next.failed();
-  }
-
-  private void name(Dot first, Dot last, boolean named) {
-    String between = first.hollow() ? ", " : " .. ";
-    String knobs = first.equals(last) ? first.knob() : first.knob() + between + last.knob();
-    String whole = (marks.name(first.method()) + " " + (small ? "" : knobs)).strip();
-    double x = (x(first) + x(last)) / 2;
-    double y = (y(first) + y(last)) / 2;
-    if (named) {
-      names.method(x, y, whole);
-    } else if (!small) {
-      names.knob(x, y, first.hollow() ? whole : knobs);
-    }
   }
 }

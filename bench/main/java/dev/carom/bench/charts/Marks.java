@@ -22,6 +22,9 @@ public final class Marks {
 
   private static final double RADIUS = 5;
 
+  /** Ours is found first. */
+  private static final double OUR_RADIUS = 6.5;
+
   private static final List<Color> COLORS =
       List.of(
           Style.ORANGE,
@@ -90,7 +93,7 @@ public final class Marks {
     int next = 0;
     for (String method : methods) {
       if (isOurs(method)) {
-        marks.put(method, new Mark(Style.BLUE, circle(), false));
+        marks.put(method, new Mark(Style.BLUE, circle(OUR_RADIUS), false));
       } else {
         // 16 and 7 have no common divisor: 112 pairs.
         Color color = COLORS.get(next % COLORS.size());
@@ -111,7 +114,7 @@ public final class Marks {
   }
 
   Mark of(String method) {
-    return marks.getOrDefault(method, new Mark(Style.QUIET, circle(), true));
+    return marks.getOrDefault(method, new Mark(Style.QUIET, circle(RADIUS), true));
   }
 
   /** Draws a dot: filled, or only its outline. */
@@ -144,8 +147,8 @@ public final class Marks {
     g.draw(cross);
   }
 
-  private static Shape circle() {
-    return new Ellipse2D.Double(-RADIUS, -RADIUS, 2 * RADIUS, 2 * RADIUS);
+  private static Shape circle(double r) {
+    return new Ellipse2D.Double(-r, -r, 2 * r, 2 * r);
   }
 
   private static Shape polygon(int corners, double turn, double notch) {

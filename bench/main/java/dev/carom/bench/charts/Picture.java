@@ -29,7 +29,7 @@ import org.jfree.svg.ViewBox;
  */
 public record Picture(int width, int height, String title, Consumer<Graphics2D> painter) {
 
-  /** The width of charts on pages and in files. */
+  /** The longest side of a picture of a scene. */
   public static final int WIDE = 900;
 
   /** The width of small charts: one fills a telephone, and three stand side by side on a desk. */

@@ -10,7 +10,7 @@ import java.util.stream.DoubleStream;
 
 /**
  * Work against precision: the error to the right, the work upwards, both logarithmic, so that the
- * best is at the left and below. One large panel, or small multiples on the same axes.
+ * best is at the left and below. All panels have the same axes.
  */
 public final class WorkPrecisionChart {
 
@@ -22,10 +22,11 @@ public final class WorkPrecisionChart {
     COUNT
   }
 
-  private static final int TALL = 470;
-  private static final int NARROW_TALL = 400;
-  private static final int SMALL = 300;
-  private static final double SMALL_TEXT = 0.92;
+  /** The height of a panel among others. */
+  public static final int SMALL = 300;
+
+  /** The height of a panel that is looked at first. */
+  public static final int TALL = 400;
 
   private final String description;
   private final Marks marks;
@@ -61,37 +62,24 @@ public final class WorkPrecisionChart {
     workLabel = axes.get(1);
   }
 
-  /**
-   * The first panel, large, with all knobs.
-   *
-   * @param width {@link Picture#WIDE} or {@link Picture#PANEL}
-   */
-  public Picture large(int width) {
-    int height = width < Picture.WIDE ? NARROW_TALL : TALL;
-    List<Dot> dots = panels.values().iterator().next();
-    return picture(width, height, dots, width < Picture.WIDE ? SMALL_TEXT : 1);
-  }
-
-  /** All panels, small, with the names of methods alone: one a panel, on the same axes. */
-  public List<Panel> small() {
+  /** All panels, with the names of methods. */
+  public List<Panel> panels(int height) {
+    Rectangle2D all = new Rectangle2D.Double(2, 0, Picture.PANEL - 4, height - 2);
     return panels.entrySet().stream()
         .map(
             panel ->
                 new Panel(
-                    panel.getKey(), picture(Picture.PANEL, SMALL, panel.getValue(), SMALL_TEXT)))
+                    panel.getKey(),
+                    new Picture(
+                        Picture.PANEL, height, description, g -> draw(g, all, panel.getValue()))))
         .toList();
   }
 
-  private Picture picture(int width, int height, List<Dot> dots, double scale) {
-    Rectangle2D all = new Rectangle2D.Double(2, 0, width - 4, height - 2);
-    return new Picture(width, height, description, g -> draw(g, all, dots, scale));
-  }
-
   /** All panels have the same axes, since that is what they are compared by. */
-  private void draw(Graphics2D g, Rectangle2D where, List<Dot> dots, double scale) {
+  private void draw(Graphics2D g, Rectangle2D where, List<Dot> dots) {
     List<Dot> all = panels.values().stream().flatMap(List::stream).toList();
     DecadeAxis errors = DotPanel.errors(all, errorLabel);
-    DotPanel.draw(g, where, errors, workAxis(all), marks, dots, budget, scale);
+    DotPanel.draw(g, where, errors, workAxis(all), marks, dots, budget);
   }
 
   private DecadeAxis workAxis(List<Dot> all) {

@@ -179,7 +179,7 @@ final class AcceptanceLimits {
       String measured = better.isEmpty() ? "none" : String.join(", ", better);
       limits.add(
           new Limit(
-              "both faster and more accurate than carom",
+              "both faster and more accurate than Carom",
               scene,
               "none",
               ours.isPresent() ? measured : "",

@@ -4,14 +4,12 @@ package dev.carom.bench.report;
 import dev.carom.bench.charts.BounceChart;
 import dev.carom.bench.charts.Curve;
 import dev.carom.bench.charts.Panel;
-import dev.carom.bench.charts.Picture;
 import dev.carom.bench.results.Results;
 import dev.carom.bench.results.Setting;
 import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.List;
 import java.util.Map;
-import java.util.Optional;
 
 /** A ball that bounces under gravity: the energy that each method has gained or lost. */
 final class BounceFigures {
@@ -57,8 +55,7 @@ final class BounceFigures {
             title(curves),
             "A ball under gravity bounces elastically on a level floor: 23 px high, 38.4 frames a bounce. Its energy should not change. Shown is the worst error so far; each error is the mean over one bounce. At an error of 1 the ball lies on the floor, or bounces twice as high; a ceiling at 1,000 px ends the growth. An error of 0 stands below the break of the axis. Each engine bounces for a few seconds.",
             caption(curves),
-            List.of(new Panel("", chart.picture(Picture.WIDE))),
-            Optional.of(chart.picture(Picture.PANEL)),
+            List.of(new Panel("", chart.picture())),
             table.build()));
   }
 

@@ -10,17 +10,17 @@ final class Doubts {
 
   static List<String> all() {
     return List.of(
-        "Who measured? The authors of carom, with a harness of their own; every number can be made"
+        "Who measured? The authors of Carom, with a harness of their own; every number can be made"
             + " again by the command above, and the methods are short programs that can be read.",
         "What is timed? One call that moves all circles on by a frame; nothing is drawn. Carom and"
             + " the other event-driven methods compute a place when it is read, engines in that call:"
-            + " to read all 100 takes carom about 0.3 µs more (jmh -p circles=100"
+            + " to read all 100 takes Carom about 0.3 µs more (jmh -p circles=100"
             + " GrowthBenchmark.positions).",
-        "Who says what is true? A program of its own, also by the authors of carom: it computes in"
-            + " as many digits as it takes, and shares no arithmetic with carom.",
+        "Who says what is true? A program of its own, also by the authors of Carom: it computes in"
+            + " as many digits as it takes, and shares no arithmetic with Carom.",
         "Are the engines treated fairly? Each stands twice, at its defaults and tuned: as small"
             + " tolerances, no sleep and no lost speed as its settings allow. We may have missed a"
-            + " better setting. They do more than carom does: rotation, friction, polygons, joints,"
+            + " better setting. They do more than Carom does: rotation, friction, polygons, joints,"
             + " stacks; none of that is used here.",
         "Where is Box2D 3? Its bindings for Java (box2d-jni of fabmax, box2d-jni of JNightRider,"
             + " gdx-box2d 3.1 of libGDX) did not resolve from Maven Central where this was built, so"

@@ -5,7 +5,6 @@ import dev.carom.bench.charts.Panel;
 import dev.carom.bench.charts.Picture;
 import dev.carom.bench.charts.Sheet;
 import java.util.List;
-import java.util.Optional;
 
 /**
  * A figure of the report.
@@ -16,7 +15,6 @@ import java.util.Optional;
  * @param note how to read it
  * @param caption what it shows, in words: all that a reader who cannot see it needs
  * @param panels its pictures, of one width
- * @param narrow the first of them for narrow screens, if it is too wide for them
  * @param table the numbers behind it
  */
 public record Figure(
@@ -26,24 +24,11 @@ public record Figure(
     String note,
     String caption,
     List<Panel> panels,
-    Optional<Picture> narrow,
     ReportTable table) {
 
   /** Keeps a copy. */
   public Figure {
     panels = List.copyOf(panels);
-  }
-
-  /** A figure of small pictures, which fit any screen. */
-  Figure(
-      String id,
-      String heading,
-      String title,
-      String note,
-      String caption,
-      List<Panel> panels,
-      ReportTable table) {
-    this(id, heading, title, note, caption, panels, Optional.empty(), table);
   }
 
   /** All of it but the table, on one sheet. */

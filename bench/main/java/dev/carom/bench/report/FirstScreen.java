@@ -12,11 +12,12 @@ import java.util.function.Function;
 final class FirstScreen {
 
   /**
-   * One number, its unit, and what others reach.
+   * One number, and what others reach.
    *
-   * @param unit what it counts
+   * @param value with its unit
+   * @param what what it counts
    */
-  record Tile(String name, String value, String unit, String rival) {}
+  record Tile(String name, String value, String what, String rival) {}
 
   /** Errors up to so many times ours count as accurate as ours. */
   private static final double AS_ACCURATE = 10;
@@ -131,23 +132,25 @@ final class FirstScreen {
     List<Tile> tiles = new ArrayList<>();
     ours.ifPresent(
         carom -> {
-          String time = ReportNumbers.time(carom.time().middle());
-          int space = time.indexOf(' ');
           tiles.add(
               new Tile(
                   "Speed",
-                  time.substring(0, space),
-                  time.substring(space + 1) + " a frame, median",
+                  ReportNumbers.time(carom.time().middle()),
+                  "a frame, median",
                   rivals(s -> ReportNumbers.time(s.time().middle()))));
           tiles.add(
               new Tile(
                   "Accuracy",
-                  ReportNumbers.error(carom.error()),
-                  "radii, the worst error of one frame",
-                  rivals(s -> ReportNumbers.error(s.error()))));
+                  radii(carom),
+                  "the worst error of one frame",
+                  rivals(FirstScreen::radii)));
         });
     new StabilityMatrix(results).tile().ifPresent(tiles::add);
     return tiles;
+  }
+
+  private static String radii(Standing s) {
+    return ReportNumbers.error(s.error()) + " radii";
   }
 
   private String rivals(Function<Standing, String> number) {

@@ -87,7 +87,7 @@ final class GasTable {
                         && time(s).get().isBelow(time(Metrics.CAROM).get()))
             .map(Metrics::shortName)
             .toList();
-    return "Colliding circles: carom keeps energy to %s and overlaps by %s radii; faster: %s"
+    return "Colliding circles: Carom keeps energy to %s and overlaps by %s radii; faster: %s"
         .formatted(
             percent(value(Metrics.CAROM, Metrics.GAS_ENERGY, "max")),
             ReportNumbers.error(value(Metrics.CAROM, Metrics.GAS_OVERLAP, "max")),

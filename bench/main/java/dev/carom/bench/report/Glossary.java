@@ -29,7 +29,7 @@ final class Glossary {
     add(
         "textbook-grid",
         "textbook + grid",
-        "the same in doubles, asking only lines of the cells on the way, as carom does: a control"
+        "the same in doubles, asking only lines of the cells on the way, as Carom does: a control"
             + " for what the grid gives");
     add(
         "plain-grid",

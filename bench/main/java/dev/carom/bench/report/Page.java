@@ -127,7 +127,7 @@ final class Page {
           .append("</b><span class=\"value\">")
           .append(text(tile.value()))
           .append("</span><span>")
-          .append(text(tile.unit()))
+          .append(text(tile.what()))
           .append("</span><span class=\"quiet\">")
           .append(text(tile.rival()))
           .append("</span></div>\n");
@@ -218,7 +218,7 @@ final class Page {
     html.append("</tr></thead>\n<tbody>\n");
     for (String scene : known) {
       html.append("<tr><td>");
-      picture(Thumbnail.of(Parts.scene(scene), "The scene " + scene), "");
+      picture(Thumbnail.of(Parts.scene(scene), "The scene " + scene));
       html.append("<th scope=\"row\">").append(text(scene)).append("</th><td>");
       html.append(text(Scenes.what(scene)));
       Scenes.facts(scene).forEach(cell -> html.append("<td>").append(text(cell)));
@@ -240,11 +240,12 @@ final class Page {
 
   private void accuracy() {
     group("accuracy");
+    figure("engines");
     figure("work");
     ReportTable ratios = Ratios.of(results);
     if (!ratios.rows().isEmpty()) {
-      html.append("<details><summary>How many times as long as carom the others take</summary>\n");
-      table(ratios, "Times of a frame, carom = 1", none -> "");
+      html.append("<details><summary>How many times as long as Carom the others take</summary>\n");
+      table(ratios, "Times of a frame, Carom = 1", none -> "");
       paragraph(
           "Medians; in brackets the least and the greatest that the virtual machines allow. Below 1"
               + " the other is faster.");
@@ -269,7 +270,7 @@ final class Page {
       heading(price.framesTitle());
       paragraph(
           "Two controls share Carom's event loop and kind of grid. They are short programs, not"
-              + " tuned as carom is, so a factor below 1 says that tuning weighs more than"
+              + " tuned as Carom is, so a factor below 1 says that tuning weighs more than"
               + " exactness, not that exactness is free. "
               + price.framesAsGood());
       table(price.frames(), "Time and worst error of a frame", none -> "");
@@ -355,9 +356,9 @@ final class Page {
     }
     html.append("<section class=\"map\" id=\"").append(text(figure.id())).append("\">\n<h3>");
     html.append(text(figure.title())).append("</h3>\n<div class=\"sketch\">");
-    picture(Thumbnail.of(map.example(), "A scene of this map"), "");
+    picture(Thumbnail.of(map.example(), "A scene of this map"));
     html.append("<p>").append(text(firstSentence(map.run()))).append("</p></div>\n");
-    picture(figure.panels().get(0).picture(), "");
+    picture(figure.panels().get(0).picture());
     numbers(figure);
     html.append("</section>\n");
   }
@@ -381,7 +382,7 @@ final class Page {
     group("doubts");
     html.append("<ul>\n");
     Doubts.all().forEach(told -> html.append("<li>").append(text(told)).append("</li>\n"));
-    html.append("</ul>\n<details><summary>Where carom is not the best, and what was not asked")
+    html.append("</ul>\n<details><summary>Where Carom is not the best, and what was not asked")
         .append("</summary>\n<ul>\n");
     Shortcomings.of(results)
         .forEach(told -> html.append("<li>").append(text(told)).append("</li>\n"));
@@ -409,25 +410,23 @@ final class Page {
     html.append("<section id=\"").append(text(figure.id())).append("\">\n<h3>");
     html.append(text(figure.title())).append("</h3>\n<p class=\"note\">");
     html.append(text(figure.note())).append("</p>\n");
-    if (figure.narrow().isPresent()) {
-      html.append("<figure class=\"large\">");
-      picture(figure.panels().get(0).picture(), "wide");
-      picture(figure.narrow().get(), "narrow");
-      html.append("</figure>\n");
-    } else {
-      html.append("<div class=\"grid\">\n");
-      for (Panel panel : figure.panels()) {
-        html.append("<figure>");
-        if (!panel.title().isEmpty()) {
-          html.append("<figcaption>").append(text(panel.title())).append("</figcaption>");
-        }
-        picture(panel.picture(), "");
-        html.append("</figure>\n");
+    html.append("<div class=\"").append(layout(figure)).append("\">\n");
+    for (Panel panel : figure.panels()) {
+      html.append("<figure>");
+      if (!panel.title().isEmpty()) {
+        html.append("<figcaption>").append(text(panel.title())).append("</figcaption>");
       }
-      html.append("</div>\n");
+      picture(panel.picture());
+      html.append("</figure>\n");
     }
+    html.append("</div>\n");
     numbers(figure);
     html.append("</section>\n");
+  }
+
+  /** One or two panels fill the page; more of them stand three in a row. */
+  private static String layout(Figure figure) {
+    return figure.panels().size() < 3 ? "grid large" : "grid";
   }
 
   /** One that repeats another, or goes into details: its title stands, and opens it. */
@@ -455,10 +454,10 @@ final class Page {
   }
 
   /** Writes a picture. Its label is short, for words beside the picture say the rest. */
-  private void picture(Picture picture, String layout) {
+  private void picture(Picture picture) {
     String prefix = "p" + pictures++ + "-";
     String label = "<svg role=\"img\" aria-label=\"" + text(picture.title()) + "\" ";
-    html.append("<div class=\"").append(("picture " + layout).strip()).append("\">");
+    html.append("<div class=\"picture\">");
     html.append(slim(classed(themed(picture.svg(prefix)))).replaceFirst("<svg ", quoted(label)));
     html.append("</div>\n");
   }

@@ -184,8 +184,8 @@ final class PriceTables {
     double most = costs[costs.length - 1];
     String cost =
         most <= 1
-            ? "in a frame exactness shows no price: carom takes %s to %s of the time of a simple program in plain doubles"
-            : "a frame of carom takes %s to %s times as long as a simple program in plain doubles";
+            ? "in a frame exactness shows no price: Carom takes %s to %s of the time of a simple program in plain doubles"
+            : "a frame of Carom takes %s to %s times as long as a simple program in plain doubles";
     return "The grid makes frames %s to %s times as fast; "
             .formatted(short2(gains[0]), short2(gains[gains.length - 1]))
         + cost.formatted(ReportNumbers.ratio(round(least)), ReportNumbers.ratio(round(most)));
@@ -212,7 +212,7 @@ final class PriceTables {
       return "";
     }
     String all =
-        "In a single frame plain doubles are as accurate as carom in %s and more accurate in %s.";
+        "In a single frame plain doubles are as accurate as Carom in %s and more accurate in %s.";
     return all.formatted(list(same), list(less))
         + " What they lack is right decisions where it is close, which single frames of these scenes"
         + " hardly meet.";

@@ -2,6 +2,7 @@
 package dev.carom.bench.report;
 
 import dev.carom.bench.charts.Dot;
+import dev.carom.bench.charts.Panel;
 import dev.carom.bench.charts.WorkPrecisionChart;
 import dev.carom.bench.charts.WorkPrecisionChart.Work;
 import dev.carom.bench.results.Results;
@@ -56,13 +57,13 @@ final class QueryFigures {
     }
     String title =
         beaten.isEmpty()
-            ? "No question is answered both faster and more accurately than by carom"
-            : "Some questions are answered both faster and more accurately than by carom";
+            ? "No question is answered both faster and more accurately than by Carom"
+            : "Some questions are answered both faster and more accurately than by Carom";
     String caption =
         "Time of a query against the worst error of the time of impact, for each class of queries."
             + (beaten.isEmpty()
-                ? " Nothing measured is both faster and more accurate than carom."
-                : " Both faster and more accurate than carom: " + String.join(", ", beaten) + ".")
+                ? " Nothing measured is both faster and more accurate than Carom."
+                : " Both faster and more accurate than Carom: " + String.join(", ", beaten) + ".")
             + tallies(panels)
             + " A time that is wrong by over ten times itself counts as failed.";
     WorkPrecisionChart chart =
@@ -79,8 +80,64 @@ final class QueryFigures {
         title,
         "Time of a question against the error of the time of impact, a panel for each class.",
         caption,
-        chart.small(),
+        chart.panels(WorkPrecisionChart.SMALL),
         table.build());
+  }
+
+  /** Wrong decisions against the time of a question, over all classes: a panel, or none. */
+  Optional<Panel> decisions() {
+    List<String> timed = results.scenes(Metrics.QUERY_TIME);
+    List<String> classes =
+        results.scenes(Metrics.DECISIONS).stream().filter(timed::contains).toList();
+    List<Dot> dots =
+        classes.isEmpty()
+            ? List.of()
+            : Settings.of(results, classes.get(0), Metrics.DECISIONS).stream()
+                .map(setting -> decisions(classes, setting))
+                .filter(dot -> !Double.isNaN(dot.error()))
+                .toList();
+    if (dots.isEmpty()) {
+      return Optional.empty();
+    }
+    String asked = ReportNumbers.count(sum(classes, Metrics.CAROM, Metrics.DECISIONS));
+    String title =
+        "A question, hit or miss: " + ours(dots).map(QueryFigures::wrong).orElse("not asked");
+    WorkPrecisionChart chart =
+        new WorkPrecisionChart(
+            "Time of a question against the number of wrong answers.",
+            Settings.marks(results),
+            List.of("wrong answers of " + asked, "time of a question"),
+            Work.TIME,
+            Double.NaN,
+            Map.of(title, dots));
+    return Optional.of(chart.panels(WorkPrecisionChart.TALL).get(0));
+  }
+
+  private static String wrong(Dot dot) {
+    return dot.exact()
+        ? "only Carom is never wrong"
+        : "Carom is wrong in " + ReportNumbers.count(dot.error());
+  }
+
+  /** The time is the mean of the medians of all classes. */
+  private Dot decisions(List<String> classes, Setting setting) {
+    double wrong = sum(classes, setting, Metrics.MISSED) + sum(classes, setting, Metrics.INVENTED);
+    List<Spread> times = classes.stream().flatMap(c -> time(c, setting).stream()).toList();
+    boolean all = times.size() == classes.size();
+    return new Dot(
+        setting.method(),
+        Metrics.shortKnob(setting),
+        all ? wrong : Double.NaN,
+        times.stream().mapToDouble(Spread::low).average().orElse(Double.NaN),
+        times.stream().mapToDouble(Spread::middle).average().orElse(Double.NaN),
+        times.stream().mapToDouble(Spread::high).average().orElse(Double.NaN),
+        false);
+  }
+
+  private double sum(List<String> classes, Setting setting, String metric) {
+    return classes.stream()
+        .mapToDouble(c -> results.only(c, setting, metric).map(Spread::middle).orElse(Double.NaN))
+        .sum();
   }
 
   private static String tallies(Map<String, List<Dot>> panels) {
@@ -130,7 +187,12 @@ final class QueryFigures {
     return dots.stream()
         .filter(d -> ours.isPresent() && d.high() < ours.get().low())
         .filter(d -> d.error() < ours.get().error())
-        .map(d -> (d.method() + " " + d.knob()).strip() + " (" + Metrics.queryClass(scene) + ")")
+        .map(
+            d ->
+                (Glossary.name(d.method()) + " " + d.knob()).strip()
+                    + " ("
+                    + Metrics.queryClass(scene)
+                    + ")")
         .toList();
   }
 }

@@ -24,7 +24,7 @@ public final class Ratios {
         results.scenes(Metrics.FRAME_TIME).stream()
             .filter(s -> results.settings(s, Metrics.FRAME_TIME).contains(Metrics.CAROM))
             .toList();
-    List<String> head = new ArrayList<>(List.of("time of a frame, carom = 1"));
+    List<String> head = new ArrayList<>(List.of("time of a frame, Carom = 1"));
     head.addAll(scenes);
     ReportTable.Builder table = new ReportTable.Builder(head);
     List<Setting> settings =

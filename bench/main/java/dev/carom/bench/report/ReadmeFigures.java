@@ -7,6 +7,7 @@ import dev.carom.bench.results.Results;
 import dev.carom.bench.results.Setting;
 import dev.carom.bench.results.Spread;
 import dev.carom.bench.results.WholeFile;
+import dev.carom.bench.series.ScalePlan.Model;
 import java.io.IOException;
 import java.math.BigDecimal;
 import java.math.MathContext;
@@ -35,7 +36,7 @@ public final class ReadmeFigures {
   private static final String FAST = "fast-1";
   private static final String POSTER = "poster";
   private static final String KNOWN =
-      "time, ratio, spread, impacts, error or tunnelled with the name of a method, or published,"
+      "time, ratio, spread, impacts, alone, colliding, error or tunnelled with the name of a method, or published,"
           + " wrong, worst error, worst frame, budget, machine, commit, date, verdict";
 
   private static final int COMMIT_LENGTH = 10;
@@ -106,6 +107,8 @@ public final class ReadmeFigures {
               + " to "
               + ReportNumbers.count(time(method).high() / time(Metrics.OURS).low());
       case "impacts" -> ReportNumbers.ratio(impacts(method));
+      case "alone" -> circles(Model.ALONE, method);
+      case "colliding" -> circles(Model.GAS, method);
       case "error" -> ReportNumbers.error(value(SCENE, method, Metrics.FRAME_ERROR, "max"));
       case "tunnelled" -> ReportNumbers.count(value(FAST, method, "tunnelled", "circles"));
       case "worst" -> method.equals("error") ? worstError() : ReportNumbers.time(worstFrame());
@@ -131,6 +134,16 @@ public final class ReadmeFigures {
   /** Impacts per frame with lines, pegs and walls. */
   private double impacts(String method) {
     return value(SCENE, method, "impacts", "mean") + value(SCENE, method, "wall_impacts", "mean");
+  }
+
+  /** How many circles a method moves in the time that a frame may take. */
+  private String circles(Model model, String method) {
+    return new ScaleTimes(results)
+        .within(model, method, BUDGET)
+        .orElseThrow(
+            () ->
+                new IllegalArgumentException(
+                    "circles of \"%s\" at 60 FPS: not measured".formatted(method)));
   }
 
   private double value(String scene, String method, String metric, String stat) {

@@ -38,7 +38,7 @@ final class ResultsReadme {
       text.append("| | Carom | others |\n| --- | --- | --- |\n");
       for (FirstScreen.Tile tile : screen.tiles()) {
         text.append("| ").append(tile.name()).append(" | **").append(tile.value());
-        text.append("** ").append(tile.unit()).append(" | ").append(tile.rival()).append(" |\n");
+        text.append("** ").append(tile.what()).append(" | ").append(tile.rival()).append(" |\n");
       }
       text.append('\n');
       text.append(

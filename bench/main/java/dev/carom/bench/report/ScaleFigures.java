@@ -122,7 +122,7 @@ public final class ScaleFigures {
     table.row(
         model.label(),
         ReportNumbers.count(n),
-        curve.method(),
+        Glossary.name(curve.method()),
         cut ? "over " + ReportNumbers.time(limit) : ReportNumbers.time(time),
         cut ? "-" : ReportNumbers.time(curve.low()[i]),
         cut ? "-" : ReportNumbers.time(curve.high()[i]),

@@ -57,7 +57,7 @@ final class ScaleGrowth {
                           "%s: %s, the time of %s grows with the circles %s."
                               .formatted(
                                   model.label(),
-                                  new Setting(curve.method(), curve.knob()),
+                                  new Setting(Glossary.name(curve.method()), curve.knob()),
                                   per.words,
                                   power(fit))));
         }
@@ -99,7 +99,7 @@ final class ScaleGrowth {
     }
     return ours.isEmpty()
         ? "Time against the number of circles"
-        : "A frame of carom takes " + String.join(" and ", ours);
+        : "A frame of Carom takes " + String.join(" and ", ours);
   }
 
   /** The growth of carom in each model, and the methods that became too slow. */
@@ -125,7 +125,7 @@ final class ScaleGrowth {
     if (models.isEmpty()) {
       return "Growth: not measured.";
     }
-    String whole = "Growth: the time of a frame of carom grows " + String.join("; ", models);
+    String whole = "Growth: the time of a frame of Carom grows " + String.join("; ", models);
     return late.isEmpty()
         ? whole + "."
         : whole + "; too slow to go on: " + String.join(", ", late) + ".";

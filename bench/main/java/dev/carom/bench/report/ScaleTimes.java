@@ -8,10 +8,13 @@ import dev.carom.bench.results.Setting;
 import dev.carom.bench.results.Spread;
 import dev.carom.bench.series.Scale;
 import dev.carom.bench.series.ScalePlan.Model;
+import java.math.BigDecimal;
+import java.math.MathContext;
 import java.util.ArrayList;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
+import java.util.Optional;
 import java.util.TreeSet;
 
 /**
@@ -134,6 +137,35 @@ final class ScaleTimes {
       }
     }
     return new Curve(setting.method(), setting.knob(), x, values[0], values[1], values[2]);
+  }
+
+  /**
+   * How many circles a frame of so many nanoseconds has, between two measured sizes by a power law.
+   *
+   * @return with two digits, or that more are possible than were measured; empty if not measured
+   */
+  Optional<String> within(Model model, String method, double nanos) {
+    for (Curve curve : curves(model, Per.FRAME)) {
+      if (!curve.method().equals(method)) {
+        continue;
+      }
+      for (int i = 1; i < curve.x().length; i++) {
+        double below = curve.middle()[i - 1];
+        double above = curve.middle()[i];
+        if (below <= nanos && above > nanos) {
+          double share = Math.log(nanos / below) / Math.log(above / below);
+          double n = curve.x()[i - 1];
+          double circles = n * Math.pow(curve.x()[i] / n, share);
+          return Optional.of(
+              ReportNumbers.count(new BigDecimal(circles).round(new MathContext(2)).doubleValue()));
+        }
+      }
+      int last = curve.x().length - 1;
+      if (curve.middle()[last] <= nanos) {
+        return Optional.of("over " + ReportNumbers.count(curve.x()[last]));
+      }
+    }
+    return Optional.empty();
   }
 
   /** Low, middle, high: over the virtual machines, or, if there is but one, over its rounds. */

@@ -26,9 +26,9 @@ final class Shortcomings {
 
   static List<String> of(Results results) {
     Shortcomings all = new Shortcomings(results);
-    all.scenes("Faster than carom, though less accurate", Standing::isFasterThan);
-    all.scenes("More accurate than carom", Standing::isMoreAccurateThan);
-    all.scenes("As accurate as carom", (s, ours) -> s.error() == ours.error());
+    all.scenes("Faster than Carom, though less accurate", Standing::isFasterThan);
+    all.scenes("More accurate than Carom", Standing::isMoreAccurateThan);
+    all.scenes("As accurate as Carom", (s, ours) -> s.error() == ours.error());
     all.questions();
     results.scenes(Metrics.FRAME_ERROR).forEach(all::leftOut);
     results.scenes(Metrics.HORIZON).forEach(all::horizon);
@@ -41,7 +41,7 @@ final class Shortcomings {
                 + " and time were measured; of thousands of circles only time and memory; not measured"
                 + " at all: other processors, more than one thread.");
     all.told.add(
-        "The engines were set up by us, as well as their documentation allows; they do what carom"
+        "The engines were set up by us, as well as their documentation allows; they do what Carom"
             + " does not: rotation, friction, polygons, joints, stacks.");
     return List.copyOf(all.told);
   }
@@ -126,7 +126,7 @@ final class Shortcomings {
     double error = results.value(scene, Metrics.CAROM, REVERSAL, "max");
     if (!Double.isNaN(error)) {
       told.add(
-          "Sent back after some 30 radii of %s, the worst circle of carom misses its start by %s radii."
+          "Sent back after some 30 radii of %s, the worst circle of Carom misses its start by %s radii."
               .formatted(scene, ReportNumbers.error(error)));
     }
   }

@@ -144,9 +144,9 @@ final class StabilityMatrix {
             .map(s -> Glossary.name(s.method()) + ": " + percent(played(s), s, FINE))
             .collect(Collectors.joining("; "));
     String share = percent(maps, Metrics.CAROM, FINE);
-    String unit =
-        "%% of %s small scenes right to 0.001 radius"
+    String what =
+        "of %s small scenes right to 0.001 radius"
             .formatted(ReportNumbers.count(cells(maps, Metrics.CAROM)));
-    return Optional.of(new Tile("Stability", share.replace(" %", ""), unit, rivals));
+    return Optional.of(new Tile("Stability", share, what, rivals));
   }
 }

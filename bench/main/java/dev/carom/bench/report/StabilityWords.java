@@ -28,7 +28,7 @@ final class StabilityWords {
   }
 
   String title() {
-    String name = ours().setting().method();
+    String name = Glossary.name(ours().setting().method());
     int wrong = ours().wrongWithin();
     String cells =
         ReportNumbers.count(ours().within()) + " cells" + (isLimited() ? " within its limits" : "");
@@ -42,7 +42,7 @@ final class StabilityWords {
     String ours =
         "Wrong cells of %s%s, by %s: %s"
             .formatted(
-                ours().setting().method(),
+                Glossary.name(ours().setting().method()),
                 isLimited() ? " within its limits" : "",
                 heading,
                 ReportNumbers.failures(ours().wrongWithin(), ours().within()));

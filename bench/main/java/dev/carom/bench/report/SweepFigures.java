@@ -91,7 +91,7 @@ public final class SweepFigures {
               String.format(
                   Locale.ROOT,
                   "The time of %s grows with the number of %s to the power %.2f (%.2f .. %.2f at 95 %%).",
-                  curve.method(),
+                  Glossary.name(curve.method()),
                   axis,
                   fit.slope(),
                   fit.low(),
@@ -160,7 +160,7 @@ public final class SweepFigures {
           table.row(
               axis,
               ReportNumbers.count(curve.x()[i]),
-              curve.method(),
+              Glossary.name(curve.method()),
               ReportNumbers.time(curve.middle()[i]),
               ReportNumbers.time(curve.low()[i]),
               ReportNumbers.time(curve.high()[i]),

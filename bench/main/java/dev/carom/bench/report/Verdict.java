@@ -55,7 +55,7 @@ public final class Verdict {
     }
     WrongAnswers carom = ours.get();
     String all =
-        "Decisions: wrong answers of carom: " + ReportNumbers.failures(carom.wrong, carom.total);
+        "Decisions: wrong answers of Carom: " + ReportNumbers.failures(carom.wrong, carom.total);
     Optional<WrongAnswers> next =
         tallies.stream()
             .filter(t -> !t.setting.method().equals(Metrics.OURS) && t.total == carom.total)
@@ -102,11 +102,11 @@ public final class Verdict {
     List<String> scenes = results.scenes(Metrics.FRAME_ERROR);
     double ours = worstError(scenes, Metrics.CAROM);
     if (scenes.isEmpty() || Double.isNaN(ours)) {
-      return "Accuracy: carom has no error to show: "
+      return "Accuracy: Carom has no error to show: "
           + (scenes.isEmpty() ? "not measured." : "it failed in a scene.");
     }
     String all =
-        "Accuracy: in %s the worst error of one frame of carom is %s radii"
+        "Accuracy: in %s the worst error of one frame of Carom is %s radii"
             .formatted(scenes(scenes.size()), ReportNumbers.error(ours));
     Optional<Setting> next =
         settings(scenes, Metrics.FRAME_ERROR)
@@ -148,7 +148,7 @@ public final class Verdict {
     for (String scene : scenes) {
       double time = results.value(scene, Metrics.CAROM, Metrics.FRAME_TIME, "worst");
       if (Double.isNaN(time)) {
-        return "Budget: carom has no time in " + scene + ".";
+        return "Budget: Carom has no time in " + scene + ".";
       }
       if (time >= worst) {
         worst = time;
@@ -158,7 +158,7 @@ public final class Verdict {
     if (slowest == null) {
       return "Budget: not measured.";
     }
-    return "Budget: %s; the slowest frame of carom in %s takes %s (%s, median over forks), %s of the 16.67 ms of 60 FPS."
+    return "Budget: %s; the slowest frame of Carom in %s takes %s (%s, median over forks), %s of the 16.67 ms of 60 FPS."
         .formatted(
             worst <= BUDGET ? "met" : "missed",
             scenes(scenes.size()),
@@ -195,14 +195,14 @@ public final class Verdict {
       return "Place: not measured.";
     }
     if (!beaten.isEmpty()) {
-      return "Place: carom is beaten: both faster and more accurate %s %s."
+      return "Place: Carom is beaten: both faster and more accurate %s %s."
           .formatted(beaten.size() == 1 ? "is" : "are", String.join(", ", beaten));
     }
     String close =
         level.isEmpty()
             ? ""
             : "; more accurate, and not told apart in time: " + String.join(", ", level);
-    return "Place: in %s nothing measured is both faster and more accurate than carom; in %d of %d it is itself faster and more accurate than all others%s."
+    return "Place: in %s nothing measured is both faster and more accurate than Carom; in %d of %d it is itself faster and more accurate than all others%s."
         .formatted(scenes(scenes), alone, scenes, close);
   }
 

@@ -1,10 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
 package dev.carom.bench.report;
 
+import dev.carom.bench.charts.BarChart;
+import dev.carom.bench.charts.BarChart.Bar;
 import dev.carom.bench.charts.Dot;
 import dev.carom.bench.charts.Marks;
 import dev.carom.bench.charts.Panel;
-import dev.carom.bench.charts.Picture;
 import dev.carom.bench.charts.WorkPrecisionChart;
 import dev.carom.bench.charts.WorkPrecisionChart.Work;
 import dev.carom.bench.replay.Budget;
@@ -12,6 +13,7 @@ import dev.carom.bench.results.Results;
 import dev.carom.bench.results.Setting;
 import dev.carom.bench.results.Spread;
 import java.util.ArrayList;
+import java.util.Comparator;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
@@ -32,14 +34,18 @@ final class WorkFigures {
     marks = Settings.marks(results);
   }
 
-  /** The large one of the first scene, then one of all others, and of the pair tests. */
+  /**
+   * The one of the first scene, with that of questions beside it, then one of all others, and of
+   * the pair tests.
+   */
   List<Figure> figures() {
     List<String> timed =
         results.scenes(Metrics.FRAME_ERROR).stream()
             .filter(scene -> standings(scene).stream().anyMatch(s -> !s.time().failed()))
             .toList();
     List<Figure> figures = new ArrayList<>();
-    timed.stream().limit(1).map(this::large).forEach(figures::add);
+    timed.stream().limit(1).map(this::lead).forEach(figures::add);
+    timed.stream().limit(1).flatMap(scene -> engines(scene).stream()).forEach(figures::add);
     List<Panel> panels = new ArrayList<>(others(timed));
     List<String> counted =
         results.scenes(Metrics.PAIR_TESTS).stream()
@@ -53,23 +59,72 @@ final class WorkFigures {
     return figures;
   }
 
-  private Figure large(String scene) {
+  private Figure lead(String scene) {
     List<Standing> all = standings(scene);
     String caption =
         "Time of a frame against the worst error of one frame in %s. ".formatted(scene)
             + caption(all, true);
-    WorkPrecisionChart chart = chart(Map.of("", timeDots(all)), caption, Work.TIME);
+    List<Panel> panels =
+        new ArrayList<>(
+            chart(Map.of("A frame of " + scene, timeDots(all)), caption, Work.TIME)
+                .panels(WorkPrecisionChart.TALL));
+    new QueryFigures(results).decisions().ifPresent(panels::add);
     int forks = all.stream().mapToInt(s -> s.time().forks()).max().orElse(1);
     return new Figure(
         "work-" + scene,
         "Speed against accuracy",
         title(scene, all),
-        "Scene %s. The lower left is best. Upright whiskers: 5 to 95 %% of the times in %d virtual machines. Whiskers to the left end at the 99.9th percentile of the errors. Hollow: an engine at its defaults. Nothing lies left of the dotted lines and below them. A crossed ring is a failure."
-            .formatted(scene, forks),
+        "The lower left is best; nothing lies left of the dotted lines and below them. Upright whiskers: 5 to 95 %% of the times in %d virtual machines. Whiskers to the left end at the 99.9th percentile of the errors. Hollow: an engine at its defaults. The questions are of 12 classes, most of them made to be hard."
+            .formatted(forks),
         caption,
-        List.of(new Panel("", chart.large(Picture.WIDE))),
-        Optional.of(chart.large(Picture.PANEL)),
+        panels,
         table(List.of(scene)));
+  }
+
+  /** Carom and the engines at their best settings, as bars; none if no engine was timed. */
+  private Optional<Figure> engines(String scene) {
+    List<Standing> timed =
+        standings(scene).stream()
+            .filter(s -> !s.time().failed() && !Metrics.isDefault(s.setting()))
+            .filter(s -> s.setting().equals(Metrics.CAROM) || isTuned(s))
+            .sorted(Comparator.comparingDouble(s -> s.time().middle()))
+            .toList();
+    Optional<Standing> ours = Standing.ours(timed);
+    if (ours.isEmpty() || timed.size() < 2) {
+      return Optional.empty();
+    }
+    String title =
+        timed.stream()
+            .filter(s -> !s.equals(ours.get()))
+            .map(
+                s ->
+                    Glossary.name(s.setting().method())
+                        + " "
+                        + ReportNumbers.count(s.time().middle() / ours.get().time().middle()))
+            .collect(Collectors.joining(", ", "Times as long as Carom: ", ""));
+    List<Bar> bars =
+        timed.stream()
+            .map(
+                s ->
+                    new Bar(
+                        Glossary.name(s.setting().method()),
+                        new double[] {s.time().middle()},
+                        ReportNumbers.time(s.time().middle())))
+            .toList();
+    String note = "Time of a frame%s. The engines have the best settings found.";
+    return Optional.of(
+        new Figure(
+            "engines",
+            "Carom and three engines",
+            title,
+            note.formatted(Scenes.size(scene)),
+            title + ".",
+            List.of(new Panel("", new BarChart(title, List.of(), bars).picture())),
+            table(List.of(scene))));
+  }
+
+  private static boolean isTuned(Standing s) {
+    return Metrics.shortKnob(s.setting()).equals("tuned");
   }
 
   private WorkPrecisionChart chart(Map<String, List<Dot>> panels, String caption, Work work) {
@@ -90,7 +145,8 @@ final class WorkFigures {
         .forEach(scene -> panels.put(Scenes.words(scene), timeDots(standings(scene))));
     return panels.isEmpty()
         ? List.of()
-        : chart(panels, "Time of a frame against the worst error of one frame.", Work.TIME).small();
+        : chart(panels, "Time of a frame against the worst error of one frame.", Work.TIME)
+            .panels(WorkPrecisionChart.SMALL);
   }
 
   private List<Dot> timeDots(List<Standing> all) {
@@ -114,7 +170,7 @@ final class WorkFigures {
     String title =
         beaten.isEmpty()
             ? "In the other scenes, too, nothing measured is both faster and more accurate"
-            : "Both faster and more accurate than carom: " + String.join(", ", beaten);
+            : "Both faster and more accurate than Carom: " + String.join(", ", beaten);
     String caption =
         scenes.stream()
             .map(scene -> "Scene %s: %s".formatted(scene, caption(standings(scene), false)))
@@ -158,8 +214,8 @@ final class WorkFigures {
     }
     List<Standing> beat = all.stream().filter(s -> s.beats(ours.get())).toList();
     return beat.isEmpty()
-        ? "Nothing measured is both faster and more accurate than carom"
-        : "Both faster and more accurate than carom: " + names(beat);
+        ? "Nothing measured is both faster and more accurate than Carom"
+        : "Both faster and more accurate than Carom: " + names(beat);
   }
 
   private static String caption(List<Standing> all, boolean settings) {
@@ -172,8 +228,8 @@ final class WorkFigures {
                       .formatted(
                           ReportNumbers.time(ours.time().middle()),
                           ReportNumbers.error(ours.error())));
-              tell(text, "Faster than carom", all, s -> s.isFasterThan(ours));
-              tell(text, "More accurate than carom", all, s -> s.isMoreAccurateThan(ours));
+              tell(text, "Faster than Carom", all, s -> s.isFasterThan(ours));
+              tell(text, "More accurate than Carom", all, s -> s.isMoreAccurateThan(ours));
               tell(
                   text,
                   "Not told apart from it in time",
@@ -208,7 +264,7 @@ final class WorkFigures {
   private static String peers(List<Standing> all) {
     String tuned =
         all.stream()
-            .filter(s -> Metrics.shortKnob(s.setting()).equals("tuned"))
+            .filter(WorkFigures::isTuned)
             .map(s -> name(s) + ": " + s.setting().value() + errsMore(s, all))
             .collect(Collectors.joining("; "));
     return tuned.isEmpty() ? "" : "Engines: " + tuned + ".";
@@ -231,7 +287,7 @@ final class WorkFigures {
   private static String worse(List<Standing> all) {
     String names =
         all.stream()
-            .filter(s -> Metrics.shortKnob(s.setting()).equals("tuned") && isWorse(s, all))
+            .filter(s -> isTuned(s) && isWorse(s, all))
             .map(WorkFigures::name)
             .collect(Collectors.joining(", "));
     return names.isEmpty() ? "" : "Worst error greater than at its defaults: " + names + ".";
@@ -313,7 +369,7 @@ final class WorkFigures {
     }
     Map<String, List<Dot>> panel = Map.of(scene + ": work in place of time", dots);
     return chart(panel, "Pair tests in a frame against the worst error of one frame.", Work.COUNT)
-        .small()
+        .panels(WorkPrecisionChart.SMALL)
         .get(0);
   }
 }

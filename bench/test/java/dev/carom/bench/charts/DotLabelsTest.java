@@ -16,7 +16,7 @@ class DotLabelsTest {
     DotLabels labels = new DotLabels(AREA);
     for (double[] dot : dots) {
       labels.avoid(dot[0], dot[1], 6);
-      labels.add(dot[0], dot[1], "method 128", Style.font(12), Style.INK, 0);
+      labels.add(dot[0], dot[1], "method 128");
     }
     return labels;
   }

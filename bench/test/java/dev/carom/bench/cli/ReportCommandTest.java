@@ -30,7 +30,7 @@ class ReportCommandTest {
 
     assertThat(run.exitCode()).isZero();
     assertThat(run.out())
-        .contains("Budget: met; the slowest frame of carom in 1 scene takes 2 µs")
+        .contains("Budget: met; the slowest frame of Carom in 1 scene takes 2 µs")
         .endsWith("report: " + folder.resolve("new/report.html") + System.lineSeparator());
     assertThat(folder.resolve("new/report.html")).isNotEmptyFile();
     assertThat(ResultsCsv.read(folder.resolve("new/results.csv"))).containsExactly(row);
@@ -87,8 +87,8 @@ class ReportCommandTest {
 
     assertThat(run.exitCode()).isZero();
     assertThat(run.out())
-        .containsPattern("circles +100 +carom")
-        .contains("The time of poster grows with the number of lines to the power");
+        .containsPattern("circles +100 +Carom")
+        .contains("The time of published 2010 grows with the number of lines to the power");
     assertThat(ResultsCsv.read(csv)).extracting(Row::scene).contains("sweep:radius=20");
     assertThat(folder.resolve("sweep.png")).isNotEmptyFile();
     assertThat(folder.resolve("sweep.svg")).isNotEmptyFile();

@@ -19,12 +19,12 @@ class ScaleCommandTest {
 
     assertThat(run.exitCode()).isZero();
     assertThat(run.out().lines())
-        .anyMatch(line -> line.matches("alone +900 +carom .*"))
-        .anyMatch(line -> line.matches("alone +400 +poster .*"))
-        .anyMatch(line -> line.matches("gas +900 +carom .*"))
+        .anyMatch(line -> line.matches("alone +900 +Carom .*"))
+        .anyMatch(line -> line.matches("alone +400 +published 2010 .*"))
+        .anyMatch(line -> line.matches("gas +900 +Carom .*"))
         .anyMatch(line -> line.matches("gas +400 +dyn4j .*"))
-        .noneMatch(line -> line.matches("gas +100 +poster .*"))
-        .anyMatch(line -> line.startsWith("alone: poster, the time of a frame grows"))
+        .noneMatch(line -> line.matches("gas +100 +published 2010 .*"))
+        .anyMatch(line -> line.startsWith("alone: published 2010, the time of a frame grows"))
         .anyMatch(line -> line.matches("A world of 102,400 circles and lines takes .* a line\\."));
     assertThat(ResultsCsv.read(csv)).extracting(Row::scene).contains("scale:gas=100");
     assertThat(ResultsCsv.read(csv))

@@ -29,7 +29,7 @@ class StabilityCommandTest {
         .containsPattern("Carom +100 % +0 % +0 % +0 % +0 % +0 % +0 of 25 .below 12 % at 95 %.")
         .containsPattern("published 2010 +- +- +- +- +- +- +cannot play such scenes")
         .containsPattern("dyn4j defaults +0 %")
-        .contains("Wrong cells of carom, by ratio of two masses");
+        .contains("Wrong cells of Carom, by ratio of two masses");
     assertThat(folder.resolve("new/fails-mass.png")).isNotEmptyFile();
     assertThat(folder.resolve("new/fails-mass.svg")).isNotEmptyFile();
     assertThat(ResultsCsv.read(folder.resolve("new/stability.csv")))

@@ -26,30 +26,30 @@ class FiguresOfReportTest {
   void aCaptionTellsWhoIsFasterMoreAccurateLevelOrFailed() {
     String caption = figure(Sample.complete(), "work-base-1").caption();
     assertThat(caption)
-        .contains("Carom: 1.04 µs, 3.0e-16 radii. Faster than carom: none.")
+        .contains("Carom: 1.04 µs, 3.0e-16 radii. Faster than Carom: none.")
         .contains("Failed: overlap test (1.56 µs)")
         .contains("Engines: dyn4j tuned: continuous, 10+ px/m; Box2D tuned: tuned.");
     Sample sample = Sample.complete().frames("base-1", "peer", "", 500, 0.1, 1);
     sample.frames("base-1", "flawless", "", 1010, 0, 1);
     assertThat(figure(sample, "work-base-1").caption())
-        .contains("Faster than carom: peer (520 ns, 0.1 radii).")
-        .contains("More accurate than carom: flawless (1.05 µs, 0 radii).")
+        .contains("Faster than Carom: peer (520 ns, 0.1 radii).")
+        .contains("More accurate than Carom: flawless (1.05 µs, 0 radii).")
         .contains("Not told apart from it in time: flawless (1.05 µs, 0 radii).");
   }
 
   @Test
   void aTitleNamesWhoIsBetterInBoth() {
     assertThat(svg(figure(Sample.complete(), "work-base-1")))
-        .contains(">Nothing measured is both faster and more accurate than carom<");
+        .contains(">Nothing measured is both faster and more accurate than Carom<");
     Sample sample = Sample.complete().frames("base-1", "peer", "", 500, 1e-17, 1);
     assertThat(svg(figure(sample, "work-base-1")))
-        .contains(">Both faster and more accurate than carom: peer (520 ns, 1.0e-17 radii)<");
+        .contains(">Both faster and more accurate than Carom: peer (520 ns, 1.0e-17 radii)<");
   }
 
   @Test
   void peersStandAtTheirDotsAsDefaultsAndTuned() {
     assertThat(svg(figure(Sample.complete(), "work-base-1")))
-        .contains(">dyn4j defaults<", ">dyn4j tuned<");
+        .contains("<title>dyn4j defaults: ", "<title>dyn4j tuned: ");
   }
 
   @Test
@@ -79,7 +79,7 @@ class FiguresOfReportTest {
     assertThat(svg(figure)).contains(">failed<");
     sample.query("head-on", "fine", "", 5, 0.25, 0, 0);
     assertThat(figure(sample, "queries").caption())
-        .contains("Both faster and more accurate than carom: fine (head-on)")
+        .contains("Both faster and more accurate than Carom: fine (head-on)")
         .contains("most accurate in 2 of 3");
   }
 
@@ -131,8 +131,8 @@ class FiguresOfReportTest {
   @Test
   void theSweepTellsHowTimesGrow() {
     assertThat(figure(Sample.complete(), "sweep").caption())
-        .contains("The time of carom grows with the number of circles to the power 1.00")
-        .contains("The time of poster grows with the number of circles to the power 1.02")
+        .contains("The time of Carom grows with the number of circles to the power 1.00")
+        .contains("The time of published 2010 grows with the number of circles to the power 1.02")
         .contains("A frame with the most circles: ", "; in the publication 52.1 ms");
   }
 }

@@ -73,7 +73,7 @@ class ReadmeFiguresTest {
             ReadmeFigures.fill(
                 "<!-- verdict -->\n```\nold\n```\n<!-- /verdict -->\n",
                 Sample.complete().results()))
-        .startsWith("<!-- verdict -->\n```\nDecisions: wrong answers of carom: 0 of 30,000")
+        .startsWith("<!-- verdict -->\n```\nDecisions: wrong answers of Carom: 0 of 30,000")
         .endsWith(".\n```\n<!-- /verdict -->\n");
   }
 

@@ -47,11 +47,20 @@ class ScaleFiguresTest {
   }
 
   @Test
+  void theCirclesAtSixtyFramesLieBetweenMeasuredSizes() {
+    assertThat(
+            ReadmeFigures.fill(
+                "<!-- alone slow -->?<!-- /alone slow --> <!-- alone carom -->?<!-- /alone carom -->",
+                sample().results()))
+        .contains(">130<", ">over 3,600<");
+  }
+
+  @Test
   void theReportShowsItAndFitsTheGrowth() {
     assertThat(figure().caption())
         .startsWith("Time of a frame, of an impact and of a circle against")
-        .contains("alone: carom, the time of a frame grows with the circles to the power 1.00")
-        .contains("alone: carom, the time of an impact grows with the circles to the power 0.00")
+        .contains("alone: Carom, the time of a frame grows with the circles to the power 1.00")
+        .contains("alone: Carom, the time of an impact grows with the circles to the power 0.00")
         .endsWith("A world of 102,400 circles and lines takes 120 bytes a circle and 30 a line.");
     assertThat(new String(figure().picture().svg(), StandardCharsets.UTF_8))
         .contains(
@@ -74,7 +83,7 @@ class ScaleFiguresTest {
   void theVerdictTellsTheFitAndWhoFellBehind() {
     assertThat(Verdict.of(sample().results()).get(4))
         .startsWith(
-            "Growth: the time of a frame of carom grows with circles that ignore each other")
+            "Growth: the time of a frame of Carom grows with circles that ignore each other")
         .contains("to the power 1.00 (1.00 .. 1.00 at 95 %), up to 36.7 µs for 3,600")
         .contains("with circles that collide to the power 1.00")
         .endsWith("; too slow to go on: slow at 900 (alone).");

@@ -49,7 +49,7 @@ class StabilityFiguresTest {
 
     assertThat(figure().caption())
         .isEqualTo(
-            "Wrong cells of carom, by gap between two lines and speed: 0 of 6 (below 50 % at 95 %);"
+            "Wrong cells of Carom, by gap between two lines and speed: 0 of 6 (below 50 % at 95 %);"
                 + " of all 6 cells it is right in 100 %, of the others published 2010 in most, 100 %, and"
                 + " overlap test in fewest, 83.3 %.");
     assertThat(figure().picture().title()).startsWith("Carom is right in all 6 cells. An elastic");
@@ -62,7 +62,7 @@ class StabilityFiguresTest {
     outcomes("carom", CellOutcome.FAR_OFF);
 
     assertThat(figure().caption())
-        .isEqualTo("Wrong cells of carom, by gap between two lines and speed: 1 of 6.");
+        .isEqualTo("Wrong cells of Carom, by gap between two lines and speed: 1 of 6.");
     assertThat(figure().picture().title()).startsWith("Carom is wrong in 1 of 6 cells. ");
   }
 
@@ -74,7 +74,7 @@ class StabilityFiguresTest {
 
     assertThat(figure().caption())
         .isEqualTo(
-            "Wrong cells of carom within its limits, by gap between two lines and speed: 0 of 5"
+            "Wrong cells of Carom within its limits, by gap between two lines and speed: 0 of 5"
                 + " (below 60 % at 95 %); in 1 more, where impacts without end pile up in finite"
                 + " time, it is right in 0; of all 6 cells it is right in 83.3 %, each of the others"
                 + " in 83.3 %.");

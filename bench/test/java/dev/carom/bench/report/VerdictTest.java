@@ -16,13 +16,13 @@ class VerdictTest {
   void tellsSixThingsEachWithItsNumber() {
     assertThat(verdict(Sample.complete()))
         .containsExactly(
-            "Decisions: wrong answers of carom: 0 of 30,000 (below 0.01 % at 95 %); next is"
+            "Decisions: wrong answers of Carom: 0 of 30,000 (below 0.01 % at 95 %); next is"
                 + " textbook double, with 99.",
-            "Accuracy: in 2 scenes the worst error of one frame of carom is 3.0e-16 radii; next is"
+            "Accuracy: in 2 scenes the worst error of one frame of Carom is 3.0e-16 radii; next is"
                 + " exact, with 4.0e-16.",
-            "Budget: met; the slowest frame of carom in 2 scenes takes 3.12 µs (fast-1, median over"
+            "Budget: met; the slowest frame of Carom in 2 scenes takes 3.12 µs (fast-1, median over"
                 + " forks), 1/5,342 of the 16.67 ms of 60 FPS.",
-            "Place: in 2 scenes nothing measured is both faster and more accurate than carom; in 2"
+            "Place: in 2 scenes nothing measured is both faster and more accurate than Carom; in 2"
                 + " of 2 it is itself faster and more accurate than all others.",
             "Growth: not measured.",
             "Limits: 7 of the 7 that were measured hold.");
@@ -33,7 +33,7 @@ class VerdictTest {
     Sample sample = Sample.complete().without(row -> row.scene().startsWith("query:"));
     sample.query("grazing", "carom", "", 30, 0.5, 3, 1).query("grazing", "other", "", 9, 1, 2, 0);
     assertThat(verdict(sample).get(0))
-        .isEqualTo("Decisions: wrong answers of carom: 4 of 10,000; fewer has other, with 2.");
+        .isEqualTo("Decisions: wrong answers of Carom: 4 of 10,000; fewer has other, with 2.");
   }
 
   @Test
@@ -58,7 +58,7 @@ class VerdictTest {
     Sample sample = Sample.complete().frames("fast-1", "better", "k=2", 500, 1e-17, 0);
     assertThat(verdict(sample).get(3))
         .isEqualTo(
-            "Place: carom is beaten: both faster and more accurate is better (k=2) in fast-1.");
+            "Place: Carom is beaten: both faster and more accurate is better (k=2) in fast-1.");
   }
 
   @Test
@@ -85,7 +85,7 @@ class VerdictTest {
     assertThat(verdict(sample).get(2)).isEqualTo("Budget: not measured.");
     sample.frames("base-2", "carom", "", 1e7, 1e-16, 9);
     assertThat(verdict(sample).get(2))
-        .startsWith("Budget: missed; the slowest frame of carom in 1 scene takes 31.2 ms (base-2")
+        .startsWith("Budget: missed; the slowest frame of Carom in 1 scene takes 31.2 ms (base-2")
         .endsWith(", 1.87 times of the 16.67 ms of 60 FPS.");
   }
 
@@ -104,7 +104,7 @@ class VerdictTest {
     assertThat(verdict(new Sample()))
         .containsExactly(
             "Decisions: not measured.",
-            "Accuracy: carom has no error to show: not measured.",
+            "Accuracy: Carom has no error to show: not measured.",
             "Budget: not measured.",
             "Place: not measured.",
             "Growth: not measured.",
