@@ -105,7 +105,12 @@ class RefusedEditTest {
                 + " setVelocity",
             w -> w.moveTo(CIRCLE, 0, 1, 1, 9)),
         refused("kind is WALL: expected LINE or PEG", w -> w.moveTo(WALL, 0, 1, 1, 9)),
-        refused("kind is WALL: expected LINE, PEG or CIRCLE: walls stay", w -> w.remove(WALL, 0)));
+        refused("kind is WALL: expected LINE, PEG or CIRCLE: walls stay", w -> w.remove(WALL, 0)),
+        refused("dt is NaN: expected at least 0", w -> w.step(NAN)),
+        refused("dt is -4.9E-324: expected at least 0", w -> w.step(-Double.MIN_VALUE)),
+        refused("dt is Infinity: expected at least 0", w -> w.step(INF)),
+        refused("t is -Infinity: expected ", w -> w.advanceTo(-INF)),
+        refused("duration is -1.0: expected at least 0", w -> w.record(-1)));
   }
 
   @ParameterizedTest

@@ -1,9 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 package dev.carom.stability;
 
-import static dev.carom.stability.Play.advance;
-import static dev.carom.stability.Play.among;
-import static dev.carom.stability.Play.world;
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.within;
 
@@ -13,6 +10,7 @@ import dev.carom.Line;
 import dev.carom.Resolver;
 import dev.carom.Run;
 import dev.carom.Scene;
+import dev.carom.SceneBuilder;
 import dev.carom.SweptCircle;
 import dev.carom.SweptSphere;
 import dev.carom.Trajectory;
@@ -26,6 +24,19 @@ import org.junit.jupiter.params.provider.ValueSource;
 
 /** The same bounces in every unit: speeds of 1e-300 and 1e150, huge and tiny coordinates. */
 class MagnitudeTest {
+
+  private static World world(SceneBuilder builder) {
+    return new World(builder.build());
+  }
+
+  private static SceneBuilder among(Line line) {
+    return Scene.builder().line(line.ax(), line.ay(), line.bx(), line.by());
+  }
+
+  private static List<Run.Row> advance(World world, double t) {
+    world.advanceTo(t);
+    return Run.rows(world.impacts());
+  }
 
   /** A slope of 45 degrees turns what comes straight down into the horizontal. */
   @ParameterizedTest
@@ -45,14 +56,7 @@ class MagnitudeTest {
   })
   void aSlopeTurnsACircleAside(double size, double speed) {
     Line slope = new Line(-10 * size, -10 * size, 10 * size, 10 * size);
-    Circle circle = new Circle(0, 5 * size, size);
-    boolean textbookLeavesTheRange = size * size == 0 || size * size > 1e308;
-    if (textbookLeavesTheRange) {
-      double t = Naive.pointTime(0, 5 * size, size, new Vec2(0, -speed));
-      assertThat(t).as("the textbook finds nothing").isEqualTo(Naive.NEVER);
-    }
-
-    World world = world(among(slope).circle(circle.x(), circle.y(), size, 0, -speed));
+    World world = world(among(slope).circle(0, 5 * size, size, 0, -speed));
     double t = (5 - Math.sqrt(2)) * size / speed;
     List<Run.Row> hits = advance(world, Math.min(2 * t, Double.MAX_VALUE));
     if (t > Double.MAX_VALUE) {
@@ -65,16 +69,6 @@ class MagnitudeTest {
         .isCloseTo(speed * Math.sqrt(0.5), within(1e-15 * speed + 1e-323));
     assertThat(world.vx(0)).isCloseTo(-speed, within(1e-15 * speed + 1e-323));
     assertThat(world.vy(0)).isCloseTo(0, within(1e-15 * speed + 1e-323));
-  }
-
-  @ParameterizedTest
-  @CsvSource({"1, 1e-300", "1, 1e150", "1e150, 1e150", "1e-150, 1e-150", "1e-290, 1", "1e300, 1e7"})
-  void aPegSendsBack(double size, double speed) {
-    World world = world(Scene.builder().peg(0, 0, size).circle(5 * size, 0, size, -speed, 0));
-    List<Run.Row> hits = advance(world, 6 * (size / speed));
-    assertThat(hits).hasSize(1);
-    assertThat(hits.get(0).time()).isCloseTo(3 * (size / speed), within(1e-15 * (size / speed)));
-    assertThat(world.vx(0)).isEqualTo(speed);
   }
 
   /** Textbook impulses divide by d.d, which is 0 or infinite for half of these. */
@@ -138,7 +132,7 @@ class MagnitudeTest {
     World world = world(among(new Line(0, -9, 0, 9)).restitution(1e10).circle(5, 0, 1, -1e300, 0));
     assertThat(advance(world, 1)).hasSize(1);
     assertThat(world.x(0)).isCloseTo(1, within(1e-15));
-    assertThat(Play.speed(world, 0)).isZero();
+    assertThat(Math.hypot(world.vx(0), world.vy(0))).isZero();
   }
 
   /** The relative velocity is no double; its part along the normal, 60 degrees aside, is one. */

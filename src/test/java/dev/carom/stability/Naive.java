@@ -8,7 +8,7 @@ import java.util.List;
 
 /**
  * The usual method of games, short and readable: a circle among lines, in plain doubles, with an
- * epsilon. Each test of this package first shows where one of these fails.
+ * epsilon. CausesTest shows where each of these fails.
  */
 final class Naive {
 
@@ -23,7 +23,6 @@ final class Naive {
   double y;
   double vx;
   double vy;
-  int impacts;
 
   Naive(Circle circle, Vec2 velocity, Line... lines) {
     this.lines = List.of(lines);
@@ -67,12 +66,7 @@ final class Naive {
     }
   }
 
-  /** The textbook's time of impact, and one impact a frame: the rest of the frame is dropped. */
-  void oneImpactPerFrame(double dt) {
-    impactsPerFrame(dt, 1);
-  }
-
-  /** The same with at most so many impacts in a frame. */
+  /** The textbook's time of impact, and so many impacts in a frame: the rest of it is dropped. */
   void impactsPerFrame(double dt, int most) {
     double left = dt;
     for (int i = 0; i < most; i++) {
@@ -92,12 +86,7 @@ final class Naive {
         return;
       }
       reflect(first, 1);
-      impacts++;
     }
-  }
-
-  double speed() {
-    return Math.hypot(vx, vy);
   }
 
   /** Along the offset from the nearest point, if the circle approaches it. */

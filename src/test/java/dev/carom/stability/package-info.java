@@ -1,17 +1,14 @@
 // SPDX-License-Identifier: Apache-2.0
-
 /**
- * Causes that break collision code, one by one: each test shows first how a naive method fails,
- * then the answer of Carom. The tests use public types alone.
+ * Causes that break collision code: CausesTest shows for each how a naive method fails, then the
+ * answer of Carom. The others play what has no naive answer:
  *
  * <ul>
- *   <li>fast: TunnellingTest; just touching: GrazingTest; which part: EndpointOrSideTest
- *   <li>lines together: JointTest, CornerTest (and WedgeTest), CorridorTest, DegenerateLinesTest
- *   <li>at rest: RestingTest, LatticeTest (and RestTest, CradleTest); started inside: OverlapTest
- *   <li>many at once: SimultaneousTest; without end: CollapseTest (and EndsTest, InelasticTest)
- *   <li>numbers: MagnitudeTest, MassAndSizeTest (and GalperinTest), RestitutionTest, TimeStepTest
- *   <li>any doubles at all: ExtremeQuestionsTest, ExtremeWorldsTest
- *   <li>refusals: NothingHalfDoneTest (and RefusedEditTest)
+ *   <li>numbers: MagnitudeTest; any doubles at all: ExtremeQuestionsTest, ExtremeWorldsTest
+ *   <li>without end: TrappedTest, BumpersTest, JammedCirclesTest (and EndsTest, InelasticTest)
+ *   <li>masses that nothing deflects: InfiniteMassTest; circles on each other: HeapTest
  * </ul>
+ *
+ * The tests use public types alone.
  */
 package dev.carom.stability;
