@@ -2,6 +2,7 @@
 package dev.carom;
 
 import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.assertThatNullPointerException;
 import static org.assertj.core.api.Assertions.catchThrowable;
 
 import java.io.ByteArrayInputStream;
@@ -21,18 +22,20 @@ import java.lang.reflect.Type;
 import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.Arrays;
+import java.util.Collections;
 import java.util.List;
 import java.util.Map;
 import java.util.concurrent.atomic.AtomicReference;
 import java.util.function.Supplier;
 import java.util.stream.Stream;
+import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.Arguments;
 import org.junit.jupiter.params.provider.MethodSource;
 
 /**
  * No public method or constructor takes or returns null. All of them are found by reflection, so a
- * new one is asked, too. {@link NullTest} holds the names in the messages.
+ * new one is asked, too. The message names the parameter.
  */
 class NoNullTest {
 
@@ -188,8 +191,17 @@ class NoNullTest {
 
     assertThat(catchThrowable(() -> answer(call, arguments)))
         .isInstanceOf(NullPointerException.class)
-        .message()
-        .matches("\\w+ is null");
+        .hasMessage(call.getParameters()[parameter].getName() + " is null");
+  }
+
+  @Test
+  void anElementIsRefusedByItsPlace() {
+    assertThatNullPointerException()
+        .isThrownBy(() -> Resolver.of(Collections.<Obstacle>singletonList(null)))
+        .withMessage("obstacles[0] is null");
+    assertThatNullPointerException()
+        .isThrownBy(() -> world().nearest(1, 2, Kind.LINE, null))
+        .withMessage("kinds[1] is null");
   }
 
   @ParameterizedTest
