@@ -5,6 +5,7 @@ import dev.carom.internal.response.LoneContact;
 import dev.carom.internal.response.ObstacleResponse;
 import dev.carom.internal.response.PairResponse;
 import dev.carom.internal.response.Shock;
+import dev.carom.internal.search.FallQuestions;
 import dev.carom.internal.state.CircleRegistry;
 import dev.carom.internal.state.Codes;
 import dev.carom.internal.state.FilterBits;
@@ -38,7 +39,7 @@ abstract class PlainState {
   LoneContact lone;
   final ImpactRows rows = new ImpactRows(16);
   Gravity gravity;
-  PlainFall falls;
+  FallQuestions falls;
   List<MovingCircle> bodies = new ArrayList<>();
 
   /** When each circle's flight last met each sensor, by the codes of obstacles. */
@@ -75,7 +76,7 @@ abstract class PlainState {
   }
 
   private void respond() {
-    falls = new PlainFall(obstacles);
+    falls = new FallQuestions(obstacles);
     response = new ObstacleResponse(obstacles, registry, gravity, this::addObstacles);
     pairs = new PairResponse(registry, response);
     shock = new Shock(registry, obstacles, this::addObstacles, collide ? new All() : null);
