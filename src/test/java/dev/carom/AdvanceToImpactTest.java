@@ -14,7 +14,7 @@ import org.junit.jupiter.params.provider.ValueSource;
 class AdvanceToImpactTest {
 
   private static SceneBuilder room(Random random, boolean collide) {
-    return collide ? CollidingScenes.mixed(random, 12) : RandomScenes.mixed(random);
+    return collide ? RandomScenes.crowd(random, 12) : RandomScenes.mixed(random);
   }
 
   private static List<String> rows(ImpactLog log) {

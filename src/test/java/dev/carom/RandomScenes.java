@@ -153,4 +153,55 @@ public final class RandomScenes {
     }
     return builder;
   }
+
+  // Circles that collide.
+
+  /** Radii from 1 on and masses over six powers of ten among a few obstacles; some rest. */
+  public static SceneBuilder crowd(Random random, int count) {
+    SceneBuilder builder = Scene.builder().bounds(0, 0, 800, 600);
+    lines(builder, random, 10, 40);
+    pegs(builder, random, 6, 15);
+    for (int i = 0; i < count; i++) {
+      double radius = Math.scalb(1 + random.nextDouble(), random.nextInt(i % 10 == 0 ? 7 : 4));
+      boolean rests = random.nextInt(10) == 0;
+      builder.circle(
+          between(random, 50, 750),
+          between(random, 50, 550),
+          Math.min(100, radius),
+          rests ? 0 : random.nextGaussian() * 6,
+          rests ? 0 : random.nextGaussian() * 6);
+      switch (random.nextInt(4)) {
+        case 0 -> builder.mass(Math.pow(10, between(random, -3, 3)));
+        case 1 -> builder.mass(radius * radius);
+        case 2 -> builder.mass(2);
+        default -> builder.mass(1);
+      }
+    }
+    return builder;
+  }
+
+  /** Circles only, of one size. */
+  public static SceneBuilder gas(Random random, int count) {
+    SceneBuilder builder = Scene.builder().bounds(0, 0, 400, 300);
+    for (int i = 0; i < count; i++) {
+      double x = between(random, 8, 392);
+      double y = between(random, 8, 292);
+      builder.circle(x, y, 8, random.nextGaussian(), random.nextGaussian());
+    }
+    return builder;
+  }
+
+  /** A gas of three sizes, with restitutions from 0 to above 1. */
+  public static SceneBuilder inelastic(Random random, int count) {
+    SceneBuilder builder = Scene.builder().bounds(0, 0, 400, 300).restitution(1.05);
+    double[] restitutions = {0, 0.5, 0.9, 1, 1.1};
+    for (int i = 0; i < count; i++) {
+      double x = between(random, 8, 392);
+      double y = between(random, 8, 292);
+      int radius = 4 << random.nextInt(3);
+      builder.circle(x, y, radius, random.nextGaussian(), random.nextGaussian());
+      builder.restitution(restitutions[random.nextInt(5)]);
+    }
+    return builder;
+  }
 }

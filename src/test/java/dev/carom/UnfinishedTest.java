@@ -80,8 +80,7 @@ class UnfinishedTest {
   void noBitDependsOnTheWork(boolean collide) {
     Random random = new Random(5);
     for (int k = 0; k < 20; k++) {
-      Scene scene =
-          (collide ? CollidingScenes.mixed(random, 8) : RandomScenes.mixed(random)).build();
+      Scene scene = (collide ? RandomScenes.crowd(random, 8) : RandomScenes.mixed(random)).build();
       World world = new World(scene);
       List<Run.Row> rows = Run.finish(world, 12, Run.WORK);
       for (long work : new long[] {1, 2, 7, 100, Long.MAX_VALUE}) {

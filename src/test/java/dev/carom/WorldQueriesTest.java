@@ -114,7 +114,7 @@ class WorldQueriesTest {
   @Test
   void theFirstImpactIsTheEarliestOfTheDetectorsAnswers() {
     Random random = new Random(1);
-    Scene scene = CollidingScenes.mixed(random, 40).build();
+    Scene scene = RandomScenes.crowd(random, 40).build();
     World world = new World(scene);
     world.step(7);
     int circles = 0;

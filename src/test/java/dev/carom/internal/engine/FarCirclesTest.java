@@ -4,10 +4,10 @@ package dev.carom.internal.engine;
 import static org.assertj.core.api.Assertions.assertThat;
 
 import dev.carom.Circle;
-import dev.carom.CollidingScenes;
 import dev.carom.Filter;
 import dev.carom.Internals;
 import dev.carom.Kind;
+import dev.carom.RandomScenes;
 import dev.carom.Scene;
 import dev.carom.SceneBuilder;
 import dev.carom.Traits;
@@ -138,7 +138,7 @@ class FarCirclesTest {
   @Test
   void cellsFollowMostOfTheCircles() {
     double far = 0x1p20;
-    SceneBuilder scene = CollidingScenes.gas(new Random(1), 100);
+    SceneBuilder scene = RandomScenes.gas(new Random(1), 100);
     double right = far + 400;
     scene.line(far, 0, right, 0).line(far, 300, right, 300);
     scene.line(far, 0, far, 300).line(right, 0, right, 300);

@@ -4,9 +4,9 @@ package dev.carom.internal.engine;
 import static org.assertj.core.api.Assertions.assertThat;
 
 import dev.carom.Circle;
-import dev.carom.CollidingScenes;
 import dev.carom.Internals;
 import dev.carom.Kind;
+import dev.carom.RandomScenes;
 import dev.carom.Scene;
 import dev.carom.SceneBuilder;
 import dev.carom.internal.queue.CalendarQueue;
@@ -49,7 +49,7 @@ class NeighborGridTest {
   @ParameterizedTest
   @ValueSource(doubles = {1, 1.5, 5, 1000})
   void allThatTouchAreVisited(double diameters) {
-    allThatTouchAreVisited(CollidingScenes.mixed(new Random(1), 200).build(), diameters);
+    allThatTouchAreVisited(RandomScenes.crowd(new Random(1), 200).build(), diameters);
     allThatTouchAreVisited(alike(new Random(2), 200), diameters);
   }
 
