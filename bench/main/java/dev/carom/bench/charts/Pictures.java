@@ -3,34 +3,22 @@ package dev.carom.bench.charts;
 
 import dev.carom.Kind;
 import dev.carom.Scene;
+import dev.carom.World;
 import dev.carom.bench.results.WholeFile;
-import java.awt.Dimension;
-import java.awt.geom.Rectangle2D;
-import java.awt.image.BufferedImage;
 import java.io.IOException;
+import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.List;
 
 /**
  * Writes the pictures of one run: {@code initial}, {@code middle}, {@code final} and {@code
- * frame-times}, each as {@code .png} and {@code .svg}, and {@code motion.gif}. No screen is needed,
+ * frame-times}, each as {@code .png} and {@code .svg}, and {@code motion.svg}. No screen is needed,
  * only a font.
  */
 public final class Pictures {
 
-  /** Frames of the motion. */
-  static final int MOTION_FRAMES = 120;
-
-  private static final int MOTION_WIDTH = 400;
-  private static final int MOTION_HEIGHT = 300;
-  private static final double MOTION_MARGIN = 6;
-  private static final int MOTION_COLORS = 32;
-
-  /** Duration of a frame in hundredths of a second. Browsers slow down frames below 2. */
-  private static final int MOTION_DELAY = 4;
-
-  private static final int MOTION_REST = 100;
+  private static final double FRAMES_A_SECOND = 60;
 
   private final Path dir;
 
@@ -65,14 +53,25 @@ public final class Pictures {
   }
 
   private void scene(Scene scene, int frames) throws IOException {
-    Replay replay = Replay.of(scene, frames, MOTION_FRAMES);
     SceneDrawing drawing = SceneDrawing.of(scene);
     String what = contents(scene);
     String of = " of " + frames;
     put("initial", ScenePicture.of(drawing, Still.of(scene), "Frame 0" + of, what));
-    put("middle", ScenePicture.of(drawing, replay.middle(), "Frame " + frames / 2 + of, what));
-    put("final", ScenePicture.of(drawing, replay.end(), "Frame " + frames + of, what));
-    put("motion.gif", motion(drawing.withArrowTime(0).withMargin(MOTION_MARGIN), replay.opening()));
+    put(
+        "middle",
+        ScenePicture.of(drawing, after(scene, frames / 2), "Frame " + frames / 2 + of, what));
+    put("final", ScenePicture.of(drawing, after(scene, frames), "Frame " + frames + of, what));
+    List<Motion.Side> alone = List.of(new Motion.Side("Carom", Courses.of(scene, frames, 1)));
+    double seconds = Math.max(1, frames) / FRAMES_A_SECOND;
+    put("motion.svg", Motion.svg(scene, what, alone, seconds).getBytes(StandardCharsets.UTF_8));
+  }
+
+  private static Still after(Scene scene, int frames) {
+    World world = new World(scene);
+    for (int frame = 0; frame < frames; frame++) {
+      world.step(1);
+    }
+    return Still.of(world);
   }
 
   private static String contents(Scene scene) {
@@ -85,19 +84,6 @@ public final class Pictures {
 
   private static String count(int n, String thing) {
     return n + " " + thing + (n == 1 ? "" : "s");
-  }
-
-  private static byte[] motion(SceneDrawing drawing, List<Still> stills) throws IOException {
-    Dimension size = drawing.size(MOTION_WIDTH, MOTION_HEIGHT);
-    Rectangle2D area = new Rectangle2D.Double(0, 0, size.width, size.height);
-    List<BufferedImage> images =
-        stills.stream()
-            .map(
-                still ->
-                    new Picture(size.width, size.height, "", g -> drawing.draw(g, area, still))
-                        .image(1))
-            .toList();
-    return AnimatedGif.of(images, MOTION_COLORS, MOTION_DELAY, MOTION_REST);
   }
 
   private void createDirectory() throws IOException {

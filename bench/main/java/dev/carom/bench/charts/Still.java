@@ -58,19 +58,6 @@ public final class Still {
   }
 
   /**
-   * A world as it stands, with the circles that hit something lately glowing.
-   *
-   * @param world the world; it may move on
-   */
-  public static Still of(World world, Glow glow) {
-    Still still = of(world);
-    for (int i = 0; i < still.count(); i++) {
-      still.glowing.set(i, glow.of(i));
-    }
-    return still;
-  }
-
-  /**
    * The same circles, some of which glow.
    *
    * @param glows whether the circle of that number does

@@ -3,12 +3,15 @@ package dev.carom.bench.cli;
 
 import dev.carom.Scene;
 import dev.carom.World;
+import dev.carom.bench.charts.Courses;
+import dev.carom.bench.charts.Motion;
 import dev.carom.bench.charts.Picture;
 import dev.carom.bench.charts.SceneDrawing;
 import dev.carom.bench.charts.Still;
 import dev.carom.bench.charts.Style;
 import dev.carom.bench.charts.WorldScene;
 import dev.carom.bench.duel.Duel;
+import dev.carom.bench.duel.PlayedFrame;
 import dev.carom.bench.duel.Preset;
 import dev.carom.bench.duel.Rival;
 import dev.carom.bench.experiment.CannotPlaceException;
@@ -16,7 +19,6 @@ import dev.carom.bench.methods.PlainScene;
 import dev.carom.bench.reference.Reference;
 import dev.carom.bench.reference.References;
 import dev.carom.bench.results.WholeFile;
-import dev.carom.bench.view.DuelMovie;
 import dev.carom.bench.view.Look;
 import dev.carom.bench.view.Player;
 import dev.carom.bench.view.ViewWindow;
@@ -24,8 +26,11 @@ import java.awt.Dimension;
 import java.awt.geom.Rectangle2D;
 import java.io.IOException;
 import java.nio.file.Path;
+import java.util.ArrayList;
 import java.util.Arrays;
+import java.util.List;
 import java.util.concurrent.Callable;
+import java.util.function.IntFunction;
 import picocli.CommandLine.Command;
 import picocli.CommandLine.ITypeConverter;
 import picocli.CommandLine.Mixin;
@@ -50,6 +55,8 @@ import picocli.CommandLine.TypeConversionException;
     mixinStandardHelpOptions = true,
     sortOptions = false)
 final class ViewCommand implements Callable<Integer> {
+
+  private static final double FRAMES_A_SECOND = 60;
 
   @Spec private CommandSpec spec;
 
@@ -84,8 +91,17 @@ final class ViewCommand implements Callable<Integer> {
   @Option(
       names = "--record",
       paramLabel = "FILE",
-      description = "Write both sides as an animated GIF instead of opening a window.")
+      description =
+          "Write the motion, or with --against that of both sides, instead of opening a window: an"
+              + " animated picture if the name ends in .svg, a page with a slider if in .html.")
   private Path record;
+
+  @Option(
+      names = "--slow",
+      paramLabel = "N",
+      defaultValue = "1",
+      description = "Record the motion N times as slow (default: ${DEFAULT-VALUE}).")
+  private double slow;
 
   @Option(
       names = "--png",
@@ -104,7 +120,8 @@ final class ViewCommand implements Callable<Integer> {
   @Override
   public Integer call() throws IOException, CannotPlaceException {
     Bounded.positive("--dt", dt, spec);
-    Bounded.atLeast(0, "--frames", frames, spec);
+    Bounded.atLeast(record == null ? 0 : 1, "--frames", frames, spec);
+    Bounded.positive("--slow", slow, spec);
     check();
     Scene scene = preset == null ? scenes.scene() : preset.scene();
     if (rival != null && !PlainScene.isAtRest(scene)) {
@@ -123,14 +140,44 @@ final class ViewCommand implements Callable<Integer> {
             return ViewWindow.of(title, new Player(scene, dt), truth, rival);
           });
     } else {
-      Style.requireFonts();
-      OutputFile.prepare(record);
-      Duel.warmUp(scene, rival);
-      try (Duel duel = new Duel(scene, rival, truth)) {
-        WholeFile.write(record, DuelMovie.gif(duel, title, frames));
-      }
+      record(scene, title);
     }
     return 0;
+  }
+
+  private void record(Scene scene, String title) throws IOException {
+    OutputFile.prepare(record);
+    List<Motion.Side> sides = new ArrayList<>();
+    sides.add(new Motion.Side("Carom", Courses.of(scene, frames, dt)));
+    if (rival != null) {
+      try (Duel duel = new Duel(scene, rival, null)) {
+        lose(sides.get(0).courses(), duel::carom);
+        Courses courses =
+            Courses.of(scene, frames, (k, i) -> duel.rival(k).x(i), (k, i) -> duel.rival(k).y(i));
+        lose(courses, duel::rival);
+        sides.add(new Motion.Side(rival.title(), courses));
+      }
+    }
+    double seconds = slow * frames / FRAMES_A_SECOND;
+    String svg = Motion.svg(scene, title, sides, seconds);
+    WholeFile.write(record, isPage() ? Motion.html(svg, title, seconds) : svg);
+  }
+
+  private boolean isPage() {
+    return record.toString().endsWith(".html");
+  }
+
+  private void lose(Courses courses, IntFunction<PlayedFrame> played) {
+    PlayedFrame end = played.apply(frames);
+    for (int i = 0; i < end.circles(); i++) {
+      int frame = 0;
+      while (frame <= frames && !played.apply(frame).isLost(i)) {
+        frame++;
+      }
+      if (frame <= frames) {
+        courses.lost(i, frame);
+      }
+    }
   }
 
   private void draw(Scene scene, String title) throws IOException {
@@ -165,10 +212,10 @@ final class ViewCommand implements Callable<Integer> {
     if (preset != null && scenes.isGiven()) {
       throw usage("--preset excludes the options of other scenes");
     }
-    if (record != null && rival == null) {
-      throw usage("--record records both sides: --against is missing");
+    if (record != null && !isPage() && !record.toString().endsWith(".svg")) {
+      throw usage("--record is " + record + ": expected a name that ends in .svg or .html");
     }
-    if (png != null && rival != null) {
+    if (png != null && (rival != null || record != null)) {
       throw usage("--png draws one side: --against and --record exclude it");
     }
     if (rival != null && dt != 1) {

@@ -19,25 +19,25 @@ import java.util.regex.Matcher;
 import java.util.regex.Pattern;
 
 /**
- * The figures that a page quotes. Each stands between two marks, {@code <!-- ratio poster -->} and
- * {@code <!-- /ratio poster -->}, which no reader sees, and is written there from stored results.
+ * The figures that a page quotes. Each stands between two marks, {@code <!--ratio:poster-->} and
+ * {@code <!--/ratio:poster-->}, which no reader sees, and is written there from stored results.
  *
  * <p>Times, ratios and errors are those of the experiment's scene. Of an engine that was measured
  * at several settings the best one counts, not its defaults.
  */
 public final class ReadmeFigures {
 
-  private static final Pattern MARK = Pattern.compile("<!-- /?[a-z][a-z0-9 -]* -->");
+  private static final Pattern MARK = Pattern.compile("<!--/?[a-z][a-z0-9:-]*-->");
 
   private static final Pattern MARKED =
-      Pattern.compile("(<!-- ([a-z][a-z0-9 -]*) -->)[^<]*(?:<(?!!--)[^<]*)*(<!-- /\\2 -->)");
+      Pattern.compile("(<!--([a-z][a-z0-9:-]*)-->)[^<]*(?:<(?!!--)[^<]*)*(<!--/\\2-->)");
 
   private static final String SCENE = "base-1";
   private static final String FAST = "fast-1";
   private static final String POSTER = "poster";
   private static final String KNOWN =
-      "time, ratio, spread, impacts, alone, colliding, error or tunnelled with the name of a method, or published,"
-          + " wrong, worst error, worst frame, budget, machine, commit, date, verdict";
+      "time, ratio, spread, impacts, alone, colliding, error or tunnelled with a colon and the name"
+          + " of a method, or published, wrong, worst:error, worst:frame, budget, machine, commit, date, verdict";
 
   private static final int COMMIT_LENGTH = 10;
   private static final double BUDGET = 1e6 * Budget.MILLIS;
@@ -97,9 +97,9 @@ public final class ReadmeFigures {
   }
 
   private String figure(String name) {
-    int space = name.indexOf(' ');
-    String method = name.substring(space + 1);
-    return switch (space < 0 ? name : name.substring(0, space)) {
+    int colon = name.indexOf(':');
+    String method = name.substring(colon + 1);
+    return switch (colon < 0 ? name : name.substring(0, colon)) {
       case "time" -> ReportNumbers.time(time(method).middle());
       case "ratio" -> ReportNumbers.count(time(method).middle() / time(Metrics.OURS).middle());
       case "spread" ->

@@ -19,7 +19,7 @@ import org.junit.jupiter.api.io.TempDir;
 class CopiedDrawingTest {
 
   private static final List<String> FILES =
-      List.of("SceneDrawing", "SceneExtent", "Sides", "Still", "Glow", "Style", "WorldScene");
+      List.of("SceneDrawing", "SceneExtent", "Sides", "Still", "Style", "WorldScene");
 
   @Test
   void compilesBesideTheLibraryAlone(@TempDir Path out) {

@@ -49,12 +49,17 @@ class PicturesTest {
     return nanos;
   }
 
+  private static long colors(BufferedImage image) {
+    int w = image.getWidth();
+    return Arrays.stream(image.getRGB(0, 0, w, image.getHeight(), null, 0, w)).distinct().count();
+  }
+
   @Test
   void everyPngCanBeDecodedAndIsNotEmpty() throws IOException {
     for (String name : NAMES) {
       BufferedImage image = ImageIO.read(first.resolve(name + ".png").toFile());
       assertThat(image.getWidth()).as(name).isGreaterThan(1000);
-      assertThat(Arrays.stream(Palette.pixels(image)).distinct().count()).as(name).isGreaterThan(9);
+      assertThat(colors(image)).as(name).isGreaterThan(9);
     }
   }
 
@@ -91,7 +96,7 @@ class PicturesTest {
   void drawsASceneWithNothingInItAndARunOfNoFrames() throws IOException {
     Path dir = temp.resolve("nothing");
     Pictures.write(Scene.builder().build(), 0, new double[] {0}, BUDGET, dir);
-    assertThat(dir.resolve("motion.gif")).isNotEmptyFile();
+    assertThat(dir.resolve("motion.svg")).isNotEmptyFile();
   }
 
   @Test

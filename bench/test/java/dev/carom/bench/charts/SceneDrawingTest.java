@@ -79,23 +79,6 @@ class SceneDrawingTest {
   }
 
   @Test
-  void aCircleThatGlowsIsOrange() {
-    Scene scene = Scene.builder().bounds(0, 0, 100, 60).circle(8.5, 30, 8, -1, 0).build();
-    World world = new World(scene);
-    Glow glow = new Glow(1, 2);
-    world.step(1);
-    glow.frame(world.impacts());
-    Color inside = at(draw(SceneDrawing.of(scene), Still.of(world, glow)), 12, 33);
-    assertThat(inside.getRed()).isGreaterThan(inside.getBlue() + 40);
-    world.step(1);
-    glow.frame(world.impacts());
-    assertThat(glow.of(0)).isTrue();
-    world.step(1);
-    glow.frame(world.impacts());
-    assertThat(glow.of(0)).isFalse();
-  }
-
-  @Test
   void aCircleHasTheColourThatItWasGivenUnlessItGlows() {
     Still green = Still.of(SCENE).colored(i -> Style.GREEN);
     SceneDrawing drawing = SceneDrawing.of(SCENE).withArrowTime(0);

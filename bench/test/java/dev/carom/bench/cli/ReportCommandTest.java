@@ -60,12 +60,12 @@ class ReportCommandTest {
     Metadata metadata = new Metadata("", 1, "", "", "", "", Map.of(), Map.of(), "2026-01-02", true);
     ResultsJson.write(new Results(metadata, List.of()), folder.resolve("results.json"));
     Path page = folder.resolve("page.md");
-    Files.writeString(page, "run on <!-- date -->?<!-- /date -->.");
+    Files.writeString(page, "run on <!--date-->?<!--/date-->.");
 
     Cli run = Cli.run("report --from", folder, "--readme", page);
 
     assertThat(run.exitCode()).isZero();
-    assertThat(page).hasContent("run on <!-- date -->2026-01-02<!-- /date -->.");
+    assertThat(page).hasContent("run on <!--date-->2026-01-02<!--/date-->.");
     assertThat(folder.resolve("report.html")).doesNotExist();
     assertThat(Cli.run("report --readme", page).err())
         .contains("--readme needs --from, and excludes --out")

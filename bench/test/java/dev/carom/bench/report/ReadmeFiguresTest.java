@@ -29,28 +29,27 @@ class ReadmeFiguresTest {
     assertThat(page)
         .as("write it anew with: report --from bench/results --readme %s", name)
         .isEqualTo(filled);
-    assertThat(page.split("<!-- ")).hasSizeGreaterThan(marks);
+    assertThat(page.split("<!--")).hasSizeGreaterThan(marks);
     assertThat(page.lines())
         .as(
             "a comment at the start of a line ends the paragraph: a mark there has a line of its own")
-        .noneMatch(
-            line -> line.strip().matches("<!-- .+ -->.*") && !line.matches("<!-- [^>]+ -->"));
+        .noneMatch(line -> line.strip().matches("<!--.+-->.*") && !line.matches("<!--[^>]+-->"));
   }
 
   @ParameterizedTest
   @CsvSource(
       delimiter = '|',
       value = {
-        "time poster     | 68.6 µs",
-        "ratio poster    | 66",
-        "spread poster   | 62 to 71",
-        "impacts carom   | 4.35",
-        "time dyn4j      | 343 µs",
-        "error dyn4j     | 0.03",
+        "time:poster     | 68.6 µs",
+        "ratio:poster    | 66",
+        "spread:poster   | 62 to 71",
+        "impacts:carom   | 4.35",
+        "time:dyn4j      | 343 µs",
+        "error:dyn4j     | 0.03",
         "published       | 760",
         "wrong           | 0 of 30,000",
-        "worst error     | 3.0e-16",
-        "worst frame     | 3.12 µs",
+        "worst:error     | 3.0e-16",
+        "worst:frame     | 3.12 µs",
         "budget          | 1/5,342",
         "machine         | a processor, 2 cores; a jdk",
         "commit          | 0123456789",
@@ -61,7 +60,7 @@ class ReadmeFiguresTest {
     sample.add("base-1", "poster", "", "frame_time", "mean", 68_530, "ns", 0);
     sample.add("base-1", "carom", "", "impacts", "mean", 3.02, "1", -1);
     sample.add("base-1", "carom", "", "wall_impacts", "mean", 1.33, "1", -1);
-    String mark = "one <!-- " + name + " -->%s<!-- /" + name + " -->, and more";
+    String mark = "one <!--" + name + "-->%s<!--/" + name + "-->, and more";
 
     assertThat(ReadmeFigures.fill(mark.formatted("two\n* <b>three</b>"), sample.results()))
         .isEqualTo(mark.formatted(figure));
@@ -71,21 +70,20 @@ class ReadmeFiguresTest {
   void theVerdictIsABlock() {
     assertThat(
             ReadmeFigures.fill(
-                "<!-- verdict -->\n```\nold\n```\n<!-- /verdict -->\n",
-                Sample.complete().results()))
-        .startsWith("<!-- verdict -->\n```\nDecisions: wrong answers of Carom: 0 of 30,000")
-        .endsWith(".\n```\n<!-- /verdict -->\n");
+                "<!--verdict-->\n```\nold\n```\n<!--/verdict-->\n", Sample.complete().results()))
+        .startsWith("<!--verdict-->\n```\nDecisions: wrong answers of Carom: 0 of 30,000")
+        .endsWith(".\n```\n<!--/verdict-->\n");
   }
 
   @ParameterizedTest
   @CsvSource(
       delimiter = '|',
       value = {
-        "<!-- speed -->1<!-- /speed -->   | no figure \"speed\": expected time, ratio",
-        "<!-- time x -->1<!-- /time x --> | frame_time of \"x\" in base-1: not measured",
-        "<!-- date -->1                   | the mark <!-- date --> stands alone: expected one",
-        "<!-- date -->1<!-- /commit -->   | the mark <!-- date --> stands alone",
-        "1<!-- /date -->                  | the mark <!-- /date --> stands alone"
+        "<!--speed-->1<!--/speed-->   | no figure \"speed\": expected time, ratio",
+        "<!--time:x-->1<!--/time:x--> | frame_time of \"x\" in base-1: not measured",
+        "<!--date-->1                   | the mark <!--date--> stands alone: expected one",
+        "<!--date-->1<!--/commit-->   | the mark <!--date--> stands alone",
+        "1<!--/date-->                  | the mark <!--/date--> stands alone"
       })
   void wrongMarksAreRefused(String text, String message, @TempDir Path folder) throws IOException {
     Path page = Files.writeString(folder.resolve("page.md"), text);

@@ -50,7 +50,7 @@ class ScaleFiguresTest {
   void theCirclesAtSixtyFramesLieBetweenMeasuredSizes() {
     assertThat(
             ReadmeFigures.fill(
-                "<!-- alone slow -->?<!-- /alone slow --> <!-- alone carom -->?<!-- /alone carom -->",
+                "<!--alone:slow-->?<!--/alone:slow--> <!--alone:carom-->?<!--/alone:carom-->",
                 sample().results()))
         .contains(">130<", ">over 3,600<");
   }
