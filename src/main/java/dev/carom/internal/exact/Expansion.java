@@ -61,7 +61,7 @@ public final class Expansion implements Ring<Expansion> {
 
   /** Adds a number. Once something is lost, nothing more is added. */
   public Expansion add(double x) {
-    if (!isExact) {
+    if (!isExact || x == 0) {
       return this;
     }
     if (count == parts.length) {

@@ -211,20 +211,21 @@ public final class GapPolynomial implements Ring<GapPolynomial> {
   @Override
   public GapPolynomial times(GapPolynomial that) {
     GapPolynomial product = zero(length + that.length - 1);
+    boolean isSquare = that == this; // so that most products are there twice
     for (int i = 0; i < length; i++) {
-      for (int j = 0; j < that.length; j++) {
-        product.add(i, j, this, that);
+      for (int j = isSquare ? i : 0; j < that.length; j++) {
+        product.add(isSquare && i < j ? 2 : 1, i, j, this, that);
       }
     }
     return product;
   }
 
-  private void add(int i, int j, GapPolynomial a, GapPolynomial b) {
+  private void add(int factor, int i, int j, GapPolynomial a, GapPolynomial b) {
     if (exact != null) {
-      exact[i + j].add(1, a.exact[i], b.exact[j]);
+      exact[i + j].add(factor, a.exact[i], b.exact[j]);
     } else if (a.size[i] != 0 && b.size[j] != 0) {
-      c[i + j] += a.c[i] * b.c[j];
-      size[i + j] += Math.max(a.size[i] * b.size[j], LEAST_SIZE);
+      c[i + j] += factor * (a.c[i] * b.c[j]);
+      size[i + j] += Math.max(factor * (a.size[i] * b.size[j]), LEAST_SIZE);
     }
   }
 
@@ -555,30 +556,43 @@ public final class GapPolynomial implements Ring<GapPolynomial> {
   }
 
   /**
-   * The correctly rounded time at which the gap of a straight flight falls to 0, {@code +infinity}
-   * if that is later than T; 0 if the gap is not above 0 at the start. It is a line or a convex
-   * parabola {@code c + b t + a t^2}, with its first root before {@code -2 c / b} and before its
-   * vertex. NaN in doubt, and if it is not certain to be below 0 there.
+   * The correctly rounded time at which the gap of a straight flight falls to 0, see {@link
+   * #fallWithin}. It is a line or a convex parabola {@code c + b t + a t^2}, with its first root
+   * before {@code -2 c / b} and before its vertex.
    */
   public double fallOfConvex(double T) {
+    return fallWithin(Math.min(scale(), 0.5 * derivative().scale()), T);
+  }
+
+  /**
+   * The correctly rounded time at which a gap that falls up to a time falls to 0, {@code +infinity}
+   * if that is later than T; 0 if it is not above 0 at the start. NaN in doubt, and if it is not
+   * certain to be below 0 at that time.
+   */
+  public double fallWithin(double high, double T) {
     if (signAtStart() != 1) {
       return signAtStart() == UNKNOWN ? Double.NaN : 0;
     }
-    double high = Math.min(scale(), 0.5 * derivative().scale());
     double time = signAt(high, 0) == -1 ? nearestRoot(1, 0, high) : Double.NaN;
     int atEnd = time == T ? signAt(T, 0) : 0;
     return time > T || atEnd == 1 ? Double.POSITIVE_INFINITY : atEnd == UNKNOWN ? Double.NaN : time;
   }
 
   /**
-   * About the only root in an interval, by Newton's method; in double-double, if without rounding.
+   * About the only root in an interval, by Newton's method: in doubles, and if without rounding, in
+   * double-double from there on.
    */
   public double root(int before, double low, double high) {
+    double t = root(before, low, high, 0.5 * (low + high), false);
+    return exact == null ? t : root(before, low, high, t, true);
+  }
+
+  private double root(int before, double low, double high, double start, boolean isPrecise) {
     double from = low;
     double to = high;
-    double t = 0.5 * (low + high);
+    double t = start;
     for (int i = 0; i < CORRECTIONS; i++) {
-      double value = before * (exact != null ? value(t, 0).head() : value(t));
+      double value = before * (isPrecise ? value(t, 0).head() : value(t));
       if (value > 0) {
         from = t;
       } else {
@@ -586,7 +600,7 @@ public final class GapPolynomial implements Ring<GapPolynomial> {
       }
       double next = t - value / (before * slope(t));
       next = next >= from && next <= to ? next : 0.5 * (from + to);
-      if (Math.abs(next - t) <= (exact != null ? 0.5 * Math.ulp(t) : LAST_STEP * t)) {
+      if (Math.abs(next - t) <= (isPrecise ? 0.5 * Math.ulp(t) : LAST_STEP * t)) {
         return next;
       }
       t = next;

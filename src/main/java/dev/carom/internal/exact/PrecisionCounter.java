@@ -31,6 +31,9 @@ public enum PrecisionCounter {
   /** Questions about accelerated disks, one for each disk, wall or line that is asked for. */
   PARABOLAS,
 
+  /** Those among them that the quick filter left to the certified search. */
+  SEARCHED_PARABOLAS,
+
   /** Those among them that exact numbers answered. */
   EXACT_PARABOLAS;
 

@@ -244,9 +244,12 @@ final class FallSearch extends FallTimes {
     }
   }
 
-  /** A bit beyond: what is exactly later than a time, but rounds to it, ties with the best one. */
+  /**
+   * A bit beyond: what is exactly later than a time, but rounds to it, ties with the best one. So
+   * far beyond that such a tie is no matter of rounding at the end of the window.
+   */
   private double asked() {
-    return Math.nextUp(to);
+    return Math.nextUp(to * (1 + 0x1p-20));
   }
 
   /**

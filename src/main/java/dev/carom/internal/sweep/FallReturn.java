@@ -84,8 +84,7 @@ public final class FallReturn {
     }
     PrecisionCounter.PARABOLAS.add();
     int region = region(f);
-    double time =
-        region == Gaps.BESIDE ? fromSide(f, T) : FallSweep.searched(f, GapSearch.RETURN, region, T);
+    double time = region == Gaps.BESIDE ? fromSide(f, T) : toEnd(f, region, T);
     return Double.isNaN(time) ? exact(f).time(T) : time;
   }
 
@@ -106,6 +105,14 @@ public final class FallReturn {
         : Gaps.BESIDE;
   }
 
+  private static double toEnd(Fall f, int region, double T) {
+    double end = FallSweep.windowEnd(f, T);
+    double time = (f.isLine ? f.end(region) : f).filter.timeOfReturn(end);
+    boolean isOne = !f.isLine || f.filter.staysBeside(region == Gaps.BEYOND, Math.min(time, end));
+    time = isOne ? time : GapRoot.DOUBT;
+    return Double.isNaN(time) ? FallSweep.searched(f, GapSearch.RETURN, region, T) : time;
+  }
+
   private static double fromSide(Fall f, double T) {
     int side = side(f);
     double back = toSide(f, side, T);
@@ -116,8 +123,12 @@ public final class FallReturn {
     if (region == Gaps.BESIDE || region == Gaps.UNKNOWN) {
       return region == Gaps.BESIDE || isAtEnd(f, side, back) ? back : GapRoot.DOUBT;
     }
-    double start = back * (1 - GapRoot.MARGIN);
-    double time = FallSweep.searched(f.end(region), GapSearch.FIRST_AFTER, start, T);
+    Fall end = f.end(region);
+    double time = end.filter.time(back, FallSweep.windowEnd(end, T));
+    if (!(time > back)) {
+      double start = back * (1 - GapRoot.MARGIN);
+      time = FallSweep.searched(end, GapSearch.FIRST_AFTER, start, T);
+    }
     return time > back ? time : GapRoot.DOUBT;
   }
 

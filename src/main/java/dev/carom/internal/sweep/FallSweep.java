@@ -46,10 +46,9 @@ public final class FallSweep {
       return straightTime(f, straightContact(f), T);
     }
     PrecisionCounter.PARABOLAS.add();
-    double time = f.filter.time(about, T < NEVER ? T : reach(f));
-    if (Double.isNaN(time)) {
-      time = searched(f, GapSearch.FIRST, 0, T);
-    }
+    double time = f.filter.time(about, windowEnd(f, T));
+    time = Double.isNaN(time) ? atStart(f, T) : time;
+    time = Double.isNaN(time) ? searched(f, GapSearch.FIRST, 0, T) : time;
     return Double.isNaN(time) ? exact(f).time(T) : time;
   }
 
@@ -183,7 +182,22 @@ public final class FallSweep {
     return UnitVectors.unit(x, y, 0, 0);
   }
 
+  /** The end of a window, if need be that of all contacts. */
+  static double windowEnd(Fall f, double T) {
+    return T < NEVER ? T : reach(f);
+  }
+
   // The second rung.
+
+  /** The time of contact of a disk that comes on from within rounding of that; NaN in doubt. */
+  private static double atStart(Fall f, double T) {
+    int region = f.filter.regionOfStart();
+    if (region == Gaps.UNKNOWN) {
+      return GapSearch.DOUBT;
+    }
+    ExactBudget.add(GapSearch.BITS_PER_INTERVAL);
+    return f.gaps(GapPolynomial.EXACT).gap(region).fallWithin(f.filter.steady(), T);
+  }
 
   /**
    * The answer of the search with rounded coefficients, or of that without rounding; NaN if both
@@ -192,6 +206,7 @@ public final class FallSweep {
    */
   static double searched(Fall f, int question, double of, double T) {
     boolean isPoint = f.r + f.radius == 0 && (f.isLine || question != GapSearch.RETURN);
+    PrecisionCounter.SEARCHED_PARABOLAS.add();
     double reach = reach(f);
     double time = f.search().roughly().time(question, of, reach, T);
     boolean isOpen = Double.isNaN(time) && !isPoint;
