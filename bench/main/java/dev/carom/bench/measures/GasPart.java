@@ -71,8 +71,8 @@ record GasPart(String scene, Contender contender) implements Part {
     return energy;
   }
 
-  /** As a part of the smaller radius. */
-  private static double overlap(RecordedRun run, Scene scene, int frame) {
+  /** Of circles, as a part of the smaller radius. */
+  static double overlap(RecordedRun run, Scene scene, int frame) {
     double deepest = 0;
     for (int i = 0; i < run.circles(); i++) {
       for (int j = 0; j < i; j++) {

@@ -87,6 +87,7 @@ public final class Parts {
     List<Part> parts = new ArrayList<>();
     scenes.forEach(scene -> addScene(parts, scene, quick));
     colliding().forEach(contender -> parts.add(new GasPart(Subjects.GAS, contender)));
+    heaping().forEach(contender -> parts.add(new HeapPart(Subjects.HEAP, contender)));
     parts.add(new BouncePart(Methods.CAROM, quick ? 100_000 : 1_000_000));
     Peers.all().forEach(peer -> parts.add(new BouncePart(peer, quick ? 5_000 : 20_000)));
     parts.add(new TrustPart(References.FALLING));
@@ -100,6 +101,7 @@ public final class Parts {
         parts.add(frameTimes(scene, contenders(scene, quick), fork, quick));
       }
       parts.add(frameTimes(Subjects.GAS, colliding(), fork, quick));
+      parts.add(frameTimes(Subjects.HEAP, heaping(), fork, quick));
     }
     return List.copyOf(parts);
   }
@@ -144,6 +146,13 @@ public final class Parts {
   private static List<Contender> colliding() {
     List<Contender> all = new ArrayList<>(List.of(Methods.CAROM, Methods.OVERLAP));
     all.addAll(List.of(Methods.substeps(16), Methods.substeps(64)));
+    all.addAll(Peers.all());
+    return all;
+  }
+
+  /** Those that know gravity and contact. */
+  private static List<Contender> heaping() {
+    List<Contender> all = new ArrayList<>(List.of(Methods.CAROM));
     all.addAll(Peers.all());
     return all;
   }

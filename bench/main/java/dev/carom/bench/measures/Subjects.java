@@ -22,6 +22,7 @@ import java.nio.charset.StandardCharsets;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
+import java.util.Random;
 import java.util.concurrent.ConcurrentHashMap;
 
 /** The scenes of the comparison. */
@@ -35,6 +36,9 @@ final class Subjects {
 
   /** Circles that collide, and nothing else but walls. */
   static final String GAS = "gas";
+
+  /** Circles that fall on each other, and come to rest. */
+  static final String HEAP = "heap";
 
   private static final double GAS_RADIUS = 10;
   private static final double GAS_SPEED = 4.3;
@@ -60,6 +64,7 @@ final class Subjects {
     return switch (name) {
       case SMALL -> crosses(SMALL_RADIUS, 1, 10, 1);
       case GAS -> gas(1);
+      case HEAP -> heap(1);
       default -> stored(name);
     };
   }
@@ -95,11 +100,23 @@ final class Subjects {
     }
   }
 
+  /** Ten rows of ten; a bounce keeps half of the speed. */
+  private static Scene heap(long seed) {
+    SceneBuilder builder = Scene.builder().bounds(0, 0, 247, 400).gravity(0, -0.125);
+    Random random = new Random(seed);
+    for (int i = 0; i < 100; i++) {
+      double x = 12 + 24 * (i % 10) + 3 * random.nextDouble();
+      builder.circle(x, 20 + 30 * (i / 10), 10, 0, 0).restitution(0.5);
+    }
+    return builder.build();
+  }
+
   /** Scenes of the same kind to play in between, so that none is learnt by heart. */
   static List<Scene> others(String name) {
     return switch (name) {
       case SMALL -> List.of(crosses(SMALL_RADIUS, 1, 10, 2), crosses(SMALL_RADIUS, 1, 10, 3));
       case GAS -> List.of(gas(2), gas(3));
+      case HEAP -> List.of(heap(2), heap(3));
       case "fast-1" -> List.of(crosses(10, 20, 100, 2), crosses(10, 20, 100, 3));
       default -> List.of(crosses(10, 1, 10, 4), crosses(10, 1, 10, 5));
     };

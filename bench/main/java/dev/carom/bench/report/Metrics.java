@@ -18,6 +18,9 @@ final class Metrics {
   static final String GAS_ENERGY = "gas_energy";
   static final String GAS_OVERLAP = "gas_overlap";
   static final String GAS_LOST = "gas_lost";
+  static final String HEAP_OVERLAP = "heap_overlap";
+  static final String HEAP_ENERGY = "heap_energy";
+  static final String HEAP_REST = "heap_rest";
   static final String BOUNCE = "bounce";
   static final String BOUNCE_ENERGY = "bounce_energy";
   static final String ERROR_BOUND = "error_bound";

@@ -336,6 +336,7 @@ final class Page {
     List<String> drifts = figures.keySet().stream().filter(id -> id.startsWith("drift-")).toList();
     drifts.stream().limit(1).forEach(this::figure);
     drifts.stream().skip(1).forEach(this::folded);
+    figure("heap");
     figure("bounce");
     figure("trust");
   }

@@ -34,9 +34,10 @@ public final class ReadmeFigures {
 
   private static final String SCENE = "base-1";
   private static final String FAST = "fast-1";
+  private static final String HEAP = "heap";
   private static final String POSTER = "poster";
   private static final String KNOWN =
-      "time, ratio, spread, impacts, alone, colliding, error or tunnelled with a colon and the name"
+      "time, ratio, spread, impacts, alone, colliding, error, overlap or tunnelled with a colon and the name"
           + " of a method, or published, wrong, worst:error, worst:frame, budget, machine, commit, date, verdict";
 
   private static final int COMMIT_LENGTH = 10;
@@ -110,6 +111,7 @@ public final class ReadmeFigures {
       case "alone" -> circles(Model.ALONE, method);
       case "colliding" -> circles(Model.GAS, method);
       case "error" -> ReportNumbers.error(value(SCENE, method, Metrics.FRAME_ERROR, "max"));
+      case "overlap" -> ReportNumbers.error(value(HEAP, method, Metrics.HEAP_OVERLAP, "max"));
       case "tunnelled" -> ReportNumbers.count(value(FAST, method, "tunnelled", "circles"));
       case "worst" -> method.equals("error") ? worstError() : ReportNumbers.time(worstFrame());
       case "published" -> published();

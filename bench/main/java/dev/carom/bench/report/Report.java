@@ -100,6 +100,7 @@ public final class Report {
     figures.addAll(new QueryFigures(results).figures());
     figures.addAll(new FeatureFigures(results).figures());
     figures.addAll(new DriftFigures(results).figures());
+    figures.addAll(new ContactFigures(results).figures());
     figures.addAll(new BounceFigures(results).figures());
     figures.addAll(new TrustFigures(results).figures());
     figures.addAll(new StabilityFigures(results).figures());

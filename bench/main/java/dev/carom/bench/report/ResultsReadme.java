@@ -9,7 +9,8 @@ import java.util.List;
 final class ResultsReadme {
 
   /** The figures that stand in it, if they were made. */
-  private static final List<String> PICTURES = List.of("work", "features", "fails-angle");
+  private static final List<String> PICTURES =
+      List.of("engines", "heap", "work", "features", "fails-angle");
 
   /** Methods whose names do not say what they are. */
   private static final List<String> NAMED = List.of("poster", "plain-grid");

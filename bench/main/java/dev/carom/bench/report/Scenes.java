@@ -25,6 +25,7 @@ final class Scenes {
     WORDS.put("base-2", "the published experiment, seed 2");
     WORDS.put("base-3", "the published experiment, seed 3");
     WORDS.put("gas", "circles that collide, seed 1");
+    WORDS.put("heap", "circles that fall into a heap, seed 1");
   }
 
   private Scenes() {}

@@ -42,7 +42,7 @@ final class Shortcomings {
                 + " at all: other processors, more than one thread.");
     all.told.add(
         "The engines were set up by us, as well as their documentation allows; they do what Carom"
-            + " does not: rotation, friction, polygons, joints, stacks.");
+            + " does not: rotation, friction, polygons, joints.");
     return List.copyOf(all.told);
   }
 

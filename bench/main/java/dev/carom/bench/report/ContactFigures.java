@@ -1,0 +1,137 @@
+// SPDX-License-Identifier: Apache-2.0
+package dev.carom.bench.report;
+
+import dev.carom.bench.charts.BarChart;
+import dev.carom.bench.charts.BarChart.Bar;
+import dev.carom.bench.charts.Panel;
+import dev.carom.bench.results.Results;
+import dev.carom.bench.results.Setting;
+import dev.carom.bench.results.Spread;
+import java.util.List;
+import java.util.function.DoubleFunction;
+import java.util.function.Function;
+import java.util.function.Predicate;
+import java.util.function.ToDoubleFunction;
+
+/** Circles that fall into a heap, by Carom and by the engines: overlap, rest, energy, time. */
+final class ContactFigures {
+
+  private static final String SCENE = "heap";
+  private static final String ENGINE = "gdx-box2d";
+
+  private final Results results;
+
+  ContactFigures(Results results) {
+    this.results = results;
+  }
+
+  /** One figure of four panels, or none if nothing was measured. */
+  List<Figure> figures() {
+    if (settings().isEmpty()) {
+      return List.of();
+    }
+    List<Panel> panels =
+        List.of(
+            panel("Deepest overlap, in radii", this::overlap, ReportNumbers::error),
+            panel(
+                "Energy from nowhere, of that at the start", this::energy, ContactFigures::percent),
+            panel("All at rest after", this::rest, ContactFigures::seconds),
+            panel("Time of a frame, mean", this::time, ReportNumbers::time));
+    String title =
+        "In a heap Carom's circles overlap by at most %s radii, those of Box2D by %s; faster: %s"
+            .formatted(
+                ReportNumbers.error(overlap(Metrics.CAROM)),
+                told("", s -> s.method().equals(ENGINE), s -> ReportNumbers.error(overlap(s))),
+                told("none", this::isFaster, Metrics::shortName));
+    return List.of(
+        new Figure(
+            "heap",
+            "A heap",
+            title,
+            "100 circles of radius 10 px fall, bounce with half of their speed and come to rest, in 600 frames. Overlap is that at the ends of frames. At rest: no circle moves by 0.01 px a frame any more. Energy should only fall. The frames are those of the fall and of the rest after it.",
+            title + ".",
+            panels,
+            table()));
+  }
+
+  private List<Setting> settings() {
+    return Settings.of(results, SCENE, Metrics.HEAP_OVERLAP);
+  }
+
+  private Panel panel(String title, ToDoubleFunction<Setting> value, DoubleFunction<String> text) {
+    List<Bar> bars =
+        settings().stream()
+            .map(
+                s -> {
+                  double v = value.applyAsDouble(s);
+                  return new Bar(Metrics.shortName(s), new double[] {v}, text.apply(v));
+                })
+            .toList();
+    return new Panel(title, new BarChart(title, List.of(), bars).picture());
+  }
+
+  private double overlap(Setting setting) {
+    return results.value(SCENE, setting, Metrics.HEAP_OVERLAP, "max");
+  }
+
+  private double energy(Setting setting) {
+    return results.value(SCENE, setting, Metrics.HEAP_ENERGY, "gained");
+  }
+
+  private double rest(Setting setting) {
+    return results.value(SCENE, setting, Metrics.HEAP_REST, "frame");
+  }
+
+  private double time(Setting setting) {
+    return results.value(SCENE, setting, Metrics.FRAME_TIME, "mean");
+  }
+
+  private static String percent(double share) {
+    return ReportNumbers.error(100 * share) + " %";
+  }
+
+  private static String seconds(double frames) {
+    return Double.isInfinite(frames) ? "not in 10 s" : ReportNumbers.ratio(frames / 60) + " s";
+  }
+
+  private boolean isFaster(Setting setting) {
+    return spread(setting).isBelow(spread(Metrics.CAROM));
+  }
+
+  private Spread spread(Setting setting) {
+    return results
+        .spread(SCENE, setting, Metrics.FRAME_TIME, "mean")
+        .orElse(Spread.of(0, Double.NaN));
+  }
+
+  private String told(String none, Predicate<Setting> who, Function<Setting, String> what) {
+    return settings().stream()
+        .filter(who)
+        .map(what)
+        .reduce((one, other) -> one + ", " + other)
+        .orElse(none);
+  }
+
+  private ReportTable table() {
+    ReportTable.Builder table =
+        new ReportTable.Builder(
+            "method",
+            "deepest overlap, in radii",
+            "overlap at the end",
+            "energy from nowhere",
+            "at rest after",
+            "time of a frame, mean",
+            "worst frame");
+    for (Setting s : settings()) {
+      table.row(
+          Metrics.fullName(s),
+          ReportNumbers.error(overlap(s)),
+          ReportNumbers.error(results.value(SCENE, s, Metrics.HEAP_OVERLAP, "end")),
+          percent(energy(s)),
+          seconds(rest(s)),
+          ReportNumbers.time(time(s)),
+          ReportNumbers.time(results.value(SCENE, s, Metrics.FRAME_TIME, "worst")));
+    }
+    return table.build();
+  }
+}

@@ -1,0 +1,52 @@
+// SPDX-License-Identifier: Apache-2.0
+package dev.carom.bench.report;
+
+import static org.assertj.core.api.Assertions.assertThat;
+
+import java.nio.charset.StandardCharsets;
+import org.junit.jupiter.api.Test;
+
+class ContactFiguresTest {
+
+  private static Sample sample() {
+    Sample sample = Sample.complete();
+    heap(sample, "carom", "", 0, 120, 9e5);
+    heap(sample, "gdx-box2d", "setting=defaults, 30 px/m", 0.5, 100, 6e4);
+    heap(sample, "gdx-box2d", "setting=best", 0.25, Double.POSITIVE_INFINITY, 8e6);
+    return sample;
+  }
+
+  private static void heap(
+      Sample sample, String method, String knob, double overlap, double rest, double nanos) {
+    sample.add("heap", method, knob, "heap_overlap", "max", overlap, "radii", -1);
+    sample.add("heap", method, knob, "heap_energy", "gained", 0.01, "1", -1);
+    sample.add("heap", method, knob, "heap_rest", "frame", rest, "frames", -1);
+    for (int fork = 0; fork < Sample.FORKS; fork++) {
+      sample.add("heap", method, knob, "frame_time", "mean", nanos + fork, "ns", fork);
+    }
+  }
+
+  @Test
+  void theTitleTellsOverlapsAndWhoIsFaster() {
+    Figure heap =
+        Report.figures(sample().results()).stream()
+            .filter(figure -> figure.id().equals("heap"))
+            .findFirst()
+            .orElseThrow();
+
+    assertThat(heap.title())
+        .isEqualTo(
+            "In a heap Carom's circles overlap by at most 0 radii, those of Box2D by 0.5, 0.25;"
+                + " faster: Box2D defaults");
+    assertThat(new String(heap.picture().svg(), StandardCharsets.UTF_8))
+        .contains(">All at rest after<", ">2 s<", ">not in 10 s<", ">900 µs<", ">1 %<");
+  }
+
+  @Test
+  void aPageQuotesTheOverlap() {
+    assertThat(
+            ReadmeFigures.fill(
+                "<!--overlap:gdx-box2d-->?<!--/overlap:gdx-box2d-->", sample().results()))
+        .contains(">0.25<");
+  }
+}
