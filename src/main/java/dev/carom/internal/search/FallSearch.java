@@ -249,7 +249,7 @@ final class FallSearch extends FallTimes {
    * far beyond that such a tie is no matter of rounding at the end of the window.
    */
   private double asked() {
-    return Math.nextUp(to * (1 + 0x1p-20));
+    return to * (1 + 0x1p-20) + Double.MIN_VALUE;
   }
 
   /**

@@ -28,9 +28,6 @@ abstract class FallTimes extends CellWalk {
   /** Far more than the rounding of a time of return. */
   private static final double EARLIER = 1 - 0x1p-20;
 
-  /** The time near which a hit is expected, which saves work; infinite or NaN for none. */
-  private double about;
-
   FallTimes(ObstacleTable obstacles, CodeSet loose) {
     super(obstacles, loose);
   }
@@ -78,15 +75,14 @@ abstract class FallTimes extends CellWalk {
    * @param about the time near which it is expected; infinite or NaN for none
    */
   final double time(int code, double about, double to) {
-    this.about = about;
-    if (obstacles.isSensor(code)) {
+    if (special && obstacles.isSensor(code)) {
       return timeOfSensor(code, to);
     }
-    if (obstacles.isOneWay(code)) {
-      return timeOfOneWay(code, to);
+    if (special && obstacles.isOneWay(code)) {
+      return timeOfOneWay(code, about, to);
     }
     double t = code == body.last ? timeOfReturn(code, to) : FallSweep.time(fall, about, to);
-    return obstacles.outside(code) == 0 ? t : timeThatCounts(code, t, to);
+    return special && obstacles.outside(code) != 0 ? timeThatCounts(code, t, to) : t;
   }
 
   /** The time of a contact, or of the first one after it that counts. */
@@ -124,7 +120,7 @@ abstract class FallTimes extends CellWalk {
   }
 
   /** The next time at which a one-way line is hit, see {@link OneWay}. */
-  private double timeOfOneWay(int code, double to) {
+  private double timeOfOneWay(int code, double about, double to) {
     if (code == body.last) {
       double t = timeOfReturn(code, to);
       if (t > to || t == NEVER || OneWay.isLeft(fall, t)) {

@@ -151,8 +151,8 @@ abstract class FirstImpact {
    * it overlaps another side, or touches one that comes before, or its centre is inside.
    */
   private boolean isAlreadyIn(int code, double t) {
-    double x = fall.ax + OneWay.x(fall, t);
-    double y = fall.ay + OneWay.y(fall, t);
+    double x = fall.ax + fall.roughX(t);
+    double y = fall.ay + fall.roughY(t);
     double near = ROUNDING * (Math.abs(x) + Math.abs(y) + r);
     boolean isInside = false;
     boolean touches = false;
@@ -192,8 +192,8 @@ abstract class FirstImpact {
     double overY = atStart ? fall.ay : fall.by;
     double toX = atStart ? fall.bx : fall.bx + itsX;
     double toY = atStart ? fall.by : fall.by + itsY;
-    double x = fall.ax + OneWay.x(fall, t);
-    double y = fall.ay + OneWay.y(fall, t);
+    double x = fall.ax + fall.roughX(t);
+    double y = fall.ay + fall.roughY(t);
     boolean first = LineShape.side(fromX, fromY, overX, overY, x, y) * outside > 0;
     boolean second = LineShape.side(overX, overY, toX, toY, x, y) * outside > 0;
     boolean isOuter = LineShape.side(fromX, fromY, overX, overY, toX, toY) * outside < 0;

@@ -35,17 +35,7 @@ final class OneWay {
 
   /** Whether the centre is left of a line at a time, by doubles; at 0, exactly. */
   static boolean isLeft(Fall f, double t) {
-    return t == 0 ? isLeftAtStart(f) : f.wx * y(f, t) - f.wy * x(f, t) > 0;
-  }
-
-  /** The x coordinate of the centre at a time, from the start of the line. */
-  static double x(Fall f, double t) {
-    return f.dx + (f.sx + 0.5 * f.gx * t) * t;
-  }
-
-  /** The y coordinate of the centre at a time, from the start of the line. */
-  static double y(Fall f, double t) {
-    return f.dy + (f.sy + 0.5 * f.gy * t) * t;
+    return t == 0 ? isLeftAtStart(f) : f.wx * f.roughY(t) - f.wy * f.roughX(t) > 0;
   }
 
   /** Whether a circle starts left of a line and overlaps it by no more than rounding. */

@@ -99,11 +99,40 @@ public final class Fall {
   /** Sets a line that moves with the velocity u. */
   public Fall line(
       double startX, double startY, double endX, double endY, double itsUx, double itsUy) {
+    return obstacle(true, startX, startY, endX, endY, 0, itsUx, itsUy);
+  }
+
+  /** Sets a disk that moves with the velocity u. */
+  public Fall disk(double x, double y, double itsRadius, double itsUx, double itsUy) {
+    return obstacle(false, x, y, x, y, itsRadius, itsUx, itsUy);
+  }
+
+  /** Sets an obstacle from its row. */
+  public Fall obstacle(ObstacleShape shape, double[] rows, int k, double itsUx, double itsUy) {
+    double startX = rows[k + ObstacleShape.X];
+    double startY = rows[k + ObstacleShape.Y];
+    int end = k + shape.toEnd;
+    double endX = rows[end + ObstacleShape.X];
+    double endY = rows[end + ObstacleShape.Y];
+    double itsRadius = shape.radius(rows, k);
+    return obstacle(shape.toEnd > 0, startX, startY, endX, endY, itsRadius, itsUx, itsUy);
+  }
+
+  private Fall obstacle(
+      boolean hasEnds,
+      double startX,
+      double startY,
+      double endX,
+      double endY,
+      double itsRadius,
+      double itsUx,
+      double itsUy) {
+    isSegment = hasEnds;
     ax = startX;
     ay = startY;
     bx = endX;
     by = endY;
-    radius = 0;
+    radius = itsRadius;
     ux = itsUx;
     uy = itsUy;
     dx = px - ax;
@@ -113,26 +142,6 @@ public final class Fall {
     wx = bx - ax;
     wy = by - ay;
     isLine = ax != bx || ay != by;
-    isSegment = true;
-    return this;
-  }
-
-  /** Sets a disk that moves with the velocity u. */
-  public Fall disk(double x, double y, double itsRadius, double itsUx, double itsUy) {
-    line(x, y, x, y, itsUx, itsUy);
-    radius = itsRadius;
-    isSegment = false;
-    return this;
-  }
-
-  /** Sets an obstacle from its row. */
-  public Fall obstacle(ObstacleShape shape, double[] rows, int k, double itsUx, double itsUy) {
-    int end = k + shape.toEnd;
-    double startX = rows[k + ObstacleShape.X];
-    double startY = rows[k + ObstacleShape.Y];
-    line(startX, startY, rows[end + ObstacleShape.X], rows[end + ObstacleShape.Y], itsUx, itsUy);
-    radius = shape.radius(rows, k);
-    isSegment = shape.toEnd > 0;
     return this;
   }
 
@@ -170,6 +179,15 @@ public final class Fall {
 
   public boolean isStraight() {
     return gx == 0 && gy == 0;
+  }
+
+  /** The offset from the start of the obstacle at a time, with the rounding of plain doubles. */
+  public double roughX(double t) {
+    return dx + (sx + 0.5 * gx * t) * t;
+  }
+
+  public double roughY(double t) {
+    return dy + (sy + 0.5 * gy * t) * t;
   }
 
   /** The offset from a point q of the obstacle at a time, without its rounding error. */

@@ -18,16 +18,10 @@ public final class PointSweep {
 
   private PointSweep() {}
 
-  /** The correctly rounded time of a {@link Contact#LATER} impact. */
-  public static double time(
-      double px, double py, double r, double vx, double vy, double x, double y) {
-    return time(px, py, r, vx, vy, x, y, SegmentFilter.timeOfEnd(px, py, r, vx, vy, x, y));
-  }
-
   /**
-   * The same, given the plain root.
+   * The correctly rounded time of a {@link Contact#LATER} impact.
    *
-   * @param root the result of {@link SegmentFilter#timeOfEnd}
+   * @param root the plain root, the result of {@link SegmentFilter#timeOfEnd}
    */
   public static double time(
       double px, double py, double r, double vx, double vy, double x, double y, double root) {

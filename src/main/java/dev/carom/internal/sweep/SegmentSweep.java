@@ -76,22 +76,13 @@ public final class SegmentSweep {
       return 0;
     }
     if (contact == Contact.START) {
-      return timeOfEnd(px, py, r, vx, vy, ax, ay, ux, uy, T);
+      return DiskSweep.time(Contact.LATER, px, py, r, vx, vy, ax, ay, 0, ux, uy, T);
     }
     if (contact == Contact.END) {
-      return timeOfEnd(px, py, r, vx, vy, bx, by, ux, uy, T);
+      return DiskSweep.time(Contact.LATER, px, py, r, vx, vy, bx, by, 0, ux, uy, T);
     }
     int side = contact == Contact.LEFT ? 1 : -1;
     return SideSweep.time(side, px, py, r, vx, vy, ax, ay, bx, by, ux, uy, T);
-  }
-
-  private static double timeOfEnd(
-      double px, double py, double r, double vx, double vy, double x, double y, double ux,
-      double uy, double T) {
-    boolean isSimple = T == Double.POSITIVE_INFINITY && ux == 0 && uy == 0;
-    return isSimple
-        ? PointSweep.time(px, py, r, vx, vy, x, y)
-        : DiskSweep.time(Contact.LATER, px, py, r, vx, vy, x, y, 0, ux, uy, T);
   }
 
   /** The centre starts inside the strip. */

@@ -47,8 +47,8 @@ class PointSweepTest {
       if (contact == Contact.LATER) {
         met++;
         double time = DiskSweep.time(contact, px, py, r, vx, vy, x, y, 0, 0, 0, NEVER);
-        assertThat(PointSweep.time(px, py, r, vx, vy, x, y)).isEqualTo(time);
         double root = SegmentFilter.timeOfEnd(px, py, r, vx, vy, x, y);
+        assertThat(PointSweep.time(px, py, r, vx, vy, x, y, root)).isEqualTo(time);
         byOneStep += PointSweep.firstStep(px, py, r, vx, vy, x, y, root) == time ? 1 : 0;
       }
     }
