@@ -221,11 +221,16 @@ final class EditSession {
     worlds.edit(w -> w.setVelocity(id, vx, vy), p -> p.setVelocity(id, vx, vy));
   }
 
-  /** Often to whole velocities, those of circles, or to rest. */
+  /** Often with whole velocities, those of circles, or to rest, or to a place. */
   private void setObstacleInMotion() {
     Kind kind = motion.nextBoolean() ? Kind.LINE : Kind.PEG;
     int id = some(kind);
-    if (id >= 0) {
+    if (id >= 0 && motion.nextInt(5) == 0) {
+      double x = numbers.x();
+      double y = numbers.y();
+      double arrival = world().now() + numbers.duration(4, motion.nextBoolean());
+      worlds.edit(w -> w.moveTo(kind, id, x, y, arrival), p -> p.moveTo(kind, id, x, y, arrival));
+    } else if (id >= 0) {
       double vx = motion.nextInt(5) == 0 ? 0 : numbers.speed();
       double vy = motion.nextInt(5) == 0 ? 0 : numbers.speed();
       worlds.edit(w -> w.setVelocity(kind, id, vx, vy), p -> p.setVelocity(kind, id, vx, vy));

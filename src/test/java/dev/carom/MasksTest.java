@@ -5,14 +5,9 @@ import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.assertThatThrownBy;
 import static org.assertj.core.api.Assertions.tuple;
 
-import dev.carom.internal.state.EngineOptions;
 import java.io.IOException;
 import java.io.StringReader;
-import java.util.ArrayList;
-import java.util.List;
 import java.util.Optional;
-import java.util.Random;
-import java.util.function.Consumer;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
@@ -25,161 +20,6 @@ class MasksTest {
   private static final int B = 4;
   private static final int BOTH = A | B;
   private static final double NEVER = Double.POSITIVE_INFINITY;
-
-  // Layers.
-
-  /** A random scene of two layers, or of one of them: the ids in each as in the whole. */
-  private static final class Layers {
-
-    private final Random random;
-    private final boolean collide;
-    private final List<Integer> layerOf = new ArrayList<>();
-
-    /** By the kind of obstacle, the ids of a layer's things in the whole. */
-    private final List<List<Integer>> ids = new ArrayList<>();
-
-    Layers(long seed, boolean collide) {
-      random = new Random(seed);
-      this.collide = collide;
-    }
-
-    /** The things of the layers that are wanted; always the same draws. */
-    Scene scene(int wanted) {
-      layerOf.clear();
-      ids.clear();
-      for (int i = 0; i < 4; i++) {
-        ids.add(new ArrayList<>());
-      }
-      SceneBuilder builder = Scene.builder().collide(collide);
-      int walls = layer();
-      double e = random.nextInt(3) > 0 ? 1 : 0.5;
-      if ((walls & wanted) != 0) {
-        builder.bounds(0, 0, 100, 80).filter(new Filter(walls, walls)).restitution(e);
-      }
-      int lines = random.nextInt(40);
-      for (int i = 0; i < lines; i++) {
-        double x = 100 * random.nextDouble();
-        double y = 80 * random.nextDouble();
-        double bx = x + 20 * random.nextDouble() - 10;
-        double by = y + 20 * random.nextDouble() - 10;
-        boolean oneWay = random.nextInt(5) == 0;
-        add(wanted, Kind.LINE, i, BOTH, b -> line(b, x, y, bx, by, oneWay), builder);
-      }
-      int pegs = random.nextInt(10);
-      for (int i = 0; i < pegs; i++) {
-        double x = 100 * random.nextDouble();
-        double y = 80 * random.nextDouble();
-        double r = 3 * random.nextDouble();
-        add(wanted, Kind.PEG, i, BOTH, b -> b.peg(x, y, r), builder);
-      }
-      int circles = 4 + random.nextInt(40);
-      for (int i = 0; i < circles; i++) {
-        double r = 0.5 + 2 * random.nextDouble();
-        double x = r + (100 - 2 * r) * random.nextDouble();
-        double y = r + (80 - 2 * r) * random.nextDouble();
-        double vx = 4 * random.nextGaussian();
-        double vy = 4 * random.nextGaussian();
-        double mass = random.nextInt(10) == 0 ? NEVER : 1 + random.nextInt(3);
-        int layer = random.nextBoolean() ? A : B;
-        layerOf.add(layer);
-        add(wanted, Kind.CIRCLE, i, layer, b -> b.circle(x, y, r, vx, vy).mass(mass), builder);
-      }
-      return builder.build();
-    }
-
-    private static void line(
-        SceneBuilder b, double ax, double ay, double bx, double by, boolean oneWay) {
-      b.line(ax, ay, bx, by);
-      if (oneWay) {
-        b.oneWay();
-      }
-    }
-
-    private void add(
-        int wanted,
-        Kind kind,
-        int id,
-        int layers,
-        Consumer<SceneBuilder> thing,
-        SceneBuilder builder) {
-      int layer = layers == BOTH ? layer() : layers;
-      double e = new double[] {1, 1, 1, 1, 1, 1, 1, 1, 1, 0.9, 0, 1.05}[random.nextInt(12)];
-      Response response = Response.values()[Math.max(0, random.nextInt(30) - 27)];
-      if ((layer & wanted) != 0) {
-        thing.accept(builder);
-        builder.filter(new Filter(layer, layer)).restitution(e).response(response);
-        ids.get(kind.ordinal()).add(id);
-      }
-    }
-
-    /** One of the layers, or both. */
-    private int layer() {
-      return 2 * (1 + random.nextInt(3));
-    }
-
-    /** A row of a layer, with the ids of the whole. */
-    Run.Row inWhole(Run.Row row) {
-      int obstacle =
-          row.kind() == Kind.WALL
-              ? row.obstacle()
-              : ids.get(row.kind().ordinal()).get(row.obstacle());
-      int circle = ids.get(Kind.CIRCLE.ordinal()).get(row.circle());
-      return row.renamed(circle, obstacle);
-    }
-  }
-
-  /** To the bit, in each engine and with each grid. */
-  @ParameterizedTest
-  @CsvSource({"false, false", "true, false", "false, true", "true, true"})
-  void twoLayersMoveTogetherAsApart(boolean collide, boolean grid) {
-    EngineOptions options = grid ? new EngineOptions(true, 3, 1.7, 1) : EngineOptions.CHOSEN;
-    int impacts = 0;
-    int jams = 0;
-    for (int seed = 0; seed < 100; seed++) {
-      World world = new World(new Layers(seed, collide).scene(BOTH), options);
-      Run together = Run.advance(world, 13, 60);
-      for (int layer : new int[] {A, B}) {
-        Layers apart = new Layers(seed, collide);
-        Run alone = Run.advance(new World(apart.scene(layer), options), 13, 60);
-        List<Integer> layerOf = apart.layerOf;
-        List<Run.Row> rows =
-            together.impacts().stream().filter(row -> layerOf.get(row.circle()) == layer).toList();
-        assertThat(alone.impacts().stream().map(apart::inWhole).toList())
-            .as("seed %s, layer %s", seed, layer)
-            .isEqualTo(rows);
-        List<Run.State> states = new ArrayList<>();
-        for (int i = 0; i < layerOf.size(); i++) {
-          if (layerOf.get(i) == layer) {
-            states.add(together.end().get(i));
-          }
-        }
-        assertThat(alone.end()).as("seed %s, layer %s", seed, layer).isEqualTo(states);
-        impacts += rows.size();
-        jams += (int) rows.stream().filter(row -> row.outcome() == Outcome.JAMMED).count();
-      }
-    }
-    assertThat(impacts).isGreaterThan(10_000);
-    assertThat(jams).isGreaterThan(collide ? 10 : 0);
-  }
-
-  /** With a budget so small that steps are undone and repeated. */
-  @Test
-  void anUndoneStepKeepsTheLayersApart() {
-    int undone = 0;
-    for (int seed = 0; seed < 20; seed++) {
-      Scene scene = new Layers(seed, false).scene(BOTH);
-      World world = new World(scene);
-      List<Run.Row> rows = new ArrayList<>();
-      boolean complete = false;
-      while (!complete) {
-        complete = world.advanceTo(10, world.count(Kind.CIRCLE));
-        rows.addAll(Run.rows(world.impacts()));
-        undone += complete ? 0 : 1;
-      }
-      assertThat(rows).hasSameElementsAs(Run.advance(new World(scene), 10).impacts());
-    }
-    assertThat(undone).isGreaterThan(50);
-  }
 
   // Walls.
 
@@ -362,12 +202,6 @@ class MasksTest {
     for (String row : text.toString().lines().toList()) {
       String without = text.toString().replace(row, row.replaceAll(",(category|mask)=.*", ""));
       assertThat(Scene.read(new StringReader(without), "it")).as(row).isNotEqualTo(read);
-    }
-    for (int seed = 0; seed < 20; seed++) {
-      Scene scene = new Layers(seed, true).scene(BOTH);
-      StringBuilder out = new StringBuilder();
-      scene.write(out);
-      assertThat(Scene.read(new StringReader(out.toString()), "it")).isEqualTo(scene);
     }
   }
 

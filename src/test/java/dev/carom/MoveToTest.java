@@ -320,33 +320,6 @@ class MoveToTest {
     assertThat(again.snapshot()).isEqualTo(straight.snapshot());
   }
 
-  // Under gravity.
-
-  @ParameterizedTest
-  @CsvSource({"1, 0", "1, 0.3", "3, 0.3", "-1, 0.3", "-3, 0"})
-  void aHeapStaysOnALiftThatStops(double speed, double e) {
-    SceneBuilder scene = Scene.builder().gravity(0, -10).bounds(0, -50, 4, 50);
-    scene.line(-1, 0, 5, 0);
-    for (int i = 0; i < 10; i++) {
-      scene.circle(0.6 + 0.7 * (i % 5), 1 + 1.5 * i, 0.5, 0, 0).restitution(e);
-    }
-    World world = new World(scene.build());
-    for (int frame = 1; frame <= 900; frame++) {
-      if (frame == 600) {
-        world.moveTo(Kind.LINE, 0, -1, 2.5 * speed, world.now() + 2.5);
-      }
-      world.advanceTo(frame * DT);
-      double floor = world.line(0).ay();
-      for (int i = 0; i < 10; i++) {
-        assertThat(world.y(i)).isGreaterThan(floor + 0.5 - 1e-9);
-      }
-    }
-    for (int i = 0; i < 10; i++) {
-      assertThat(world.y(i)).isLessThan(2.5 * speed + 4);
-      assertThat(Math.abs(world.vy(i))).as("ball %s", i).isLessThan(0.1); // some slide apart
-    }
-  }
-
   // Questions.
 
   @Test

@@ -7,9 +7,6 @@ import static org.assertj.core.api.Assertions.within;
 
 import java.io.ByteArrayInputStream;
 import java.io.ByteArrayOutputStream;
-import java.util.ArrayList;
-import java.util.List;
-import java.util.Random;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
@@ -232,68 +229,6 @@ class MovingObstaclesTest {
     assertThat(world.impacts().id(0)).isZero();
     assertThat(world.impacts().time(0)).isCloseTo(22.25, within(0.01));
     assertThat(world.vx(0)).isCloseTo(2 * 1 - 5, within(1e-12));
-  }
-
-  /** If all obstacles share a velocity, the impacts are those of obstacles at rest. */
-  @Test
-  void aFrameOfReferenceThatMovesGivesTheSameImpacts() {
-    Random random = new Random(7);
-    int compared = 0;
-    for (int run = 0; run < 50; run++) {
-      boolean collide = run % 2 == 0;
-      double ux = random.nextInt(-8, 9) / 4.0;
-      double uy = random.nextInt(-8, 9) / 4.0;
-      SceneBuilder still = Scene.builder().collide(collide);
-      SceneBuilder moving = Scene.builder().collide(collide);
-      for (int i = 0; i < 12; i++) {
-        double ax = random.nextInt(-40, 41);
-        double ay = random.nextInt(-40, 41);
-        double bx = ax + random.nextInt(-9, 10);
-        double by = ay + random.nextInt(-9, 10);
-        still.line(ax, ay, bx, by);
-        moving.line(ax, ay, bx, by).velocity(ux, uy);
-        double x = random.nextInt(-40, 41);
-        double y = random.nextInt(-40, 41);
-        still.peg(x, y, 1);
-        moving.peg(x, y, 1).velocity(ux, uy);
-        double cx = random.nextInt(-30, 31);
-        double cy = random.nextInt(-30, 31);
-        double vx = random.nextInt(-16, 17) / 8.0;
-        double vy = random.nextInt(-16, 17) / 8.0;
-        still.circle(cx, cy, 1, vx, vy);
-        moving.circle(cx, cy, 1, vx + ux, vy + uy);
-      }
-      World a = world(still);
-      World b = world(moving);
-      a.advanceTo(6);
-      b.advanceTo(6);
-      // Until the first impact of a circle all differences are exact, so its time is the same.
-      List<String> times = firstTimes(a);
-      assertThat(firstTimes(b)).isEqualTo(times);
-      compared += times.size();
-    }
-    assertThat(compared).isGreaterThan(100);
-  }
-
-  private static List<String> firstTimes(World world) {
-    List<String> first = new ArrayList<>();
-    boolean[] seen = new boolean[world.count(Kind.CIRCLE)];
-    ImpactLog log = world.impacts();
-    for (int i = 0; i < log.size(); i++) {
-      int circle = log.circle(i);
-      boolean pair = log.kind(i) == Kind.CIRCLE;
-      boolean known = seen[circle] || (pair && seen[log.id(i)]);
-      if (!known) {
-        first.add(
-            "%s %d %s %d %s"
-                .formatted(log.time(i), circle, log.kind(i), log.id(i), log.feature(i)));
-      }
-      seen[circle] = true;
-      if (pair) {
-        seen[log.id(i)] = true;
-      }
-    }
-    return first;
   }
 
   @Test

@@ -81,6 +81,7 @@ final class ThreeWorlds {
    */
   int advance(double end, int most) {
     double start = world.now();
+    boolean arrives = plain.obstacles.nextArrival() == start;
     past.look();
     if (!world.advanceTo(end, WORK) || world.impacts().size() > most) {
       return -1;
@@ -91,7 +92,7 @@ final class ThreeWorlds {
     assertThat(Run.rows(plain.advance(end, rows.size() + 1))).as("plain").isEqualTo(rows);
     boolean complete = restored.advance(world, end, rows);
     assertThat(twin.snapshot()).as("snapshot of the twin").isEqualTo(world.snapshot());
-    if (plain.firstEvent() == start) { // perhaps without a row
+    if (arrives || plain.firstEvent() == start) { // perhaps without a row
       past.forget(start);
     }
     past.look();
@@ -120,7 +121,9 @@ final class ThreeWorlds {
             twin.withFilter(new Filter(category, mask)).cast(new SweptCircle(circle, v), maxTime))
         .isEqualTo(first);
     double time = first.map(Impact::time).orElse(Double.POSITIVE_INFINITY);
-    assertThat(plain.cast(circle, v, category, mask)).isEqualTo(time);
+    if (plain.obstacles.nextArrival() == Double.POSITIVE_INFINITY) { // else it would have to stop
+      assertThat(plain.cast(circle, v, category, mask)).isEqualTo(time);
+    }
     if (time < Double.MAX_VALUE / 8) {
       assertThat(
               twin.withFilter(new Filter(category, mask))
