@@ -3,7 +3,8 @@ package dev.carom.bench;
 
 import static org.assertj.core.api.Assertions.assertThat;
 
-import dev.carom.bench.BadArguments.Call;
+import dev.carom.BadArguments;
+import dev.carom.BadArguments.Call;
 import java.io.IOException;
 import java.lang.reflect.Executable;
 import java.nio.file.Path;

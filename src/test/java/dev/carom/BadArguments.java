@@ -1,37 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-package dev.carom.bench;
+package dev.carom;
 
-import dev.carom.Bounds;
-import dev.carom.Casts;
-import dev.carom.Circle;
-import dev.carom.Contact;
-import dev.carom.Feature;
-import dev.carom.Filter;
-import dev.carom.Impact;
-import dev.carom.ImpactLog;
-import dev.carom.Kind;
-import dev.carom.Line;
-import dev.carom.Nearest;
-import dev.carom.Obstacle;
-import dev.carom.Outcome;
-import dev.carom.Outline;
-import dev.carom.Resolver;
-import dev.carom.Response;
-import dev.carom.Scene;
-import dev.carom.SceneBuilder;
-import dev.carom.SceneFormatException;
-import dev.carom.Snapshot;
-import dev.carom.SnapshotBytes;
-import dev.carom.SweptCircle;
-import dev.carom.SweptSphere;
-import dev.carom.Timeline;
-import dev.carom.Traits;
-import dev.carom.Trajectory;
-import dev.carom.Uncertainty;
-import dev.carom.UnfinishedException;
-import dev.carom.Vec2;
-import dev.carom.Warning;
-import dev.carom.World;
 import java.io.ByteArrayInputStream;
 import java.io.ByteArrayOutputStream;
 import java.io.IOException;
@@ -63,12 +32,12 @@ import java.util.function.Supplier;
 import java.util.stream.Stream;
 
 /** Calls of the public methods with good and bad arguments, each on a fresh object. */
-final class BadArguments {
+public final class BadArguments {
 
-  /** One call: its arguments, and what it threw, or null. */
-  record Call(List<Object> arguments, Throwable thrown) {
+  /** One call: its arguments, its answer, and what it threw, or null. */
+  public record Call(List<Object> arguments, Object answer, Throwable thrown) {
 
-    boolean hasNull() {
+    public boolean hasNull() {
       return arguments.stream()
           .anyMatch(one -> one == null || (one instanceof List<?> list && list.contains(null)));
     }
@@ -159,7 +128,8 @@ final class BadArguments {
                   new Object[] {
                     new SweptCircle(CIRCLE, V),
                     new SweptCircle(0, 0, 0, 0, 0),
-                    new SweptCircle(-1e308, 1e308, 1e308, 1e308, 0).withAcceleration(1e308, 1),
+                    new SweptCircle(-1e308, 1e308, 1e308, 1e308, 0),
+                    new SweptCircle(CIRCLE, V).withAcceleration(0, -1),
                     null
                   }),
           Map.entry(
@@ -170,7 +140,8 @@ final class BadArguments {
                     new SweptSphere(-1e308, 1e308, 0, 1e308, 1e308, 0, 0),
                     null
                   }),
-          Map.entry(Kind.class, () -> withNull(Kind.values())),
+          Map.entry(
+              Kind.class, () -> new Object[] {Kind.CIRCLE, Kind.WALL, Kind.LINE, Kind.PEG, null}),
           Map.entry(Kind[].class, () -> new Object[] {new Kind[] {Kind.LINE}, new Kind[0], null}),
           Map.entry(Outcome.class, () -> withNull(Outcome.values())),
           Map.entry(Feature.class, () -> withNull(Feature.values())),
@@ -234,7 +205,7 @@ final class BadArguments {
               OutputStream.class,
               () -> new Object[] {new ByteArrayOutputStream(), brokenOutput(), null}));
 
-  BadArguments(Path folder) {
+  public BadArguments(Path folder) {
     this.folder = folder;
   }
 
@@ -343,7 +314,7 @@ final class BadArguments {
   }
 
   /** The public methods and constructors of the public types, but those of enums. */
-  static List<Executable> publicOnes() throws IOException {
+  public static List<Executable> publicOnes() throws IOException {
     try (Stream<Path> files = Files.list(CLASSES)) {
       return files
           .map(file -> file.getFileName().toString())
@@ -368,10 +339,23 @@ final class BadArguments {
     }
   }
 
-  List<Call> calls(Executable called) {
+  public List<Call> calls(Executable called) {
+    return calls(called, objects(called));
+  }
+
+  private static List<Supplier<Object>> objects(Executable called) {
     boolean needsNone =
         called instanceof Constructor<?> || Modifier.isStatic(called.getModifiers());
-    return calls(called, needsNone ? List.of(() -> null) : receivers(called.getDeclaringClass()));
+    return needsNone ? List.of(() -> null) : receivers(called.getDeclaringClass());
+  }
+
+  /** A call with good arguments for each object, but for a null as one of them; -1 for none. */
+  public List<Call> callsWithNull(Executable called, int parameter) {
+    Object[] arguments = good(types(called));
+    if (parameter >= 0) {
+      arguments[parameter] = null;
+    }
+    return objects(called).stream().map(object -> call(called, object.get(), arguments)).toList();
   }
 
   /** The types of the parameters; a list of points is another one than a list of obstacles. */
@@ -388,7 +372,7 @@ final class BadArguments {
   private interface Points {}
 
   /** Each argument in turn takes each of its values, the others good ones; then some at random. */
-  List<Call> calls(Executable called, List<Supplier<Object>> receivers) {
+  public List<Call> calls(Executable called, List<Supplier<Object>> receivers) {
     if (receivers.isEmpty()) {
       throw new IllegalArgumentException(called + ": expected an object to call it on");
     }
@@ -430,14 +414,13 @@ final class BadArguments {
 
   private static Call call(Executable called, Object receiver, Object[] arguments) {
     try {
-      if (called instanceof Constructor<?> constructor) {
-        constructor.newInstance(arguments);
-      } else {
-        ((Method) called).invoke(receiver, arguments);
-      }
-      return new Call(Arrays.asList(arguments), null);
+      Object answer =
+          called instanceof Constructor<?> constructor
+              ? constructor.newInstance(arguments)
+              : ((Method) called).invoke(receiver, arguments);
+      return new Call(Arrays.asList(arguments), answer, null);
     } catch (InvocationTargetException e) {
-      return new Call(Arrays.asList(arguments), e.getCause());
+      return new Call(Arrays.asList(arguments), null, e.getCause());
     } catch (ReflectiveOperationException e) {
       throw new IllegalStateException(called.toString(), e);
     }
