@@ -1,6 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
 package dev.carom.bench.cli;
 
+import dev.carom.bench.duel.Preset;
+import dev.carom.bench.duel.Rival;
+import dev.carom.bench.examples.Examples;
+import dev.carom.bench.fuzz.EndScene;
 import java.io.PrintStream;
 import java.util.ArrayDeque;
 import java.util.Deque;
@@ -11,6 +15,7 @@ import java.util.stream.Stream;
 import picocli.CommandLine;
 import picocli.CommandLine.Command;
 import picocli.CommandLine.ParameterException;
+import picocli.CommandLine.TypeConversionException;
 import picocli.CommandLine.UnmatchedArgumentException;
 
 /** The command line as a whole: its commands, what runs without one, and how errors are told. */
@@ -92,7 +97,25 @@ public final class CaromBench {
             .setExecutionExceptionHandler((e, line, parsed) -> Failure.explain(e, line));
     CommandGroups.show(all);
     tellVersion(all);
+    readByWord(all, Examples.class);
+    readByWord(all, EndScene.Layout.class);
+    readByWord(all, Rival.class);
+    readByWord(all, Preset.class);
     return all;
+  }
+
+  /** Reads a constant by its text alone, and lists the texts where it is none of them. */
+  private static <E extends Enum<E>> void readByWord(CommandLine all, Class<E> type) {
+    List<E> values = List.of(type.getEnumConstants());
+    all.registerConverter(
+        type,
+        word ->
+            values.stream()
+                .filter(each -> each.toString().equals(word))
+                .findFirst()
+                .orElseThrow(
+                    () ->
+                        new TypeConversionException("'%s' is none of %s".formatted(word, values))));
   }
 
   private static boolean isCommand(String word) {

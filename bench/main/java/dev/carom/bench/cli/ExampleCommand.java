@@ -16,13 +16,11 @@ import java.nio.file.Path;
 import java.util.Arrays;
 import java.util.concurrent.Callable;
 import picocli.CommandLine.Command;
-import picocli.CommandLine.ITypeConverter;
 import picocli.CommandLine.Model.CommandSpec;
 import picocli.CommandLine.Option;
 import picocli.CommandLine.ParameterException;
 import picocli.CommandLine.Parameters;
 import picocli.CommandLine.Spec;
-import picocli.CommandLine.TypeConversionException;
 
 /** Runs an example in a window, or draws it. */
 @Command(
@@ -41,11 +39,7 @@ final class ExampleCommand implements Callable<Integer> {
 
   @Spec private CommandSpec spec;
 
-  @Parameters(
-      arity = "0..1",
-      paramLabel = "NAME",
-      converter = Names.class,
-      description = "One of ${COMPLETION-CANDIDATES}.")
+  @Parameters(arity = "0..1", paramLabel = "NAME", description = "One of ${COMPLETION-CANDIDATES}.")
   private Examples name;
 
   @Option(
@@ -106,19 +100,5 @@ final class ExampleCommand implements Callable<Integer> {
     g.setFont(Style.font(HINT / 2.0));
     g.drawString(example.hint(), HINT / 2, size.height + HINT - HINT / 3);
     example.draw(g, new Rectangle2D.Double(0, 0, size.width, size.height));
-  }
-
-  /** Finds an example by its name. */
-  static final class Names implements ITypeConverter<Examples> {
-    @Override
-    public Examples convert(String word) {
-      return Arrays.stream(Examples.values())
-          .filter(each -> each.toString().equals(word))
-          .findFirst()
-          .orElseThrow(
-              () ->
-                  new TypeConversionException(
-                      "'%s' is none of %s".formatted(word, Arrays.toString(Examples.values()))));
-    }
   }
 }

@@ -13,19 +13,16 @@ import dev.carom.bench.fuzz.SoakTimes;
 import dev.carom.bench.fuzz.WorldFuzz;
 import dev.carom.bench.replay.Counted;
 import java.io.PrintWriter;
-import java.util.Arrays;
 import java.util.List;
 import java.util.Locale;
 import java.util.concurrent.Callable;
 import java.util.concurrent.TimeUnit;
 import java.util.function.IntConsumer;
 import picocli.CommandLine.Command;
-import picocli.CommandLine.ITypeConverter;
 import picocli.CommandLine.Model.CommandSpec;
 import picocli.CommandLine.Option;
 import picocli.CommandLine.ParameterException;
 import picocli.CommandLine.Spec;
-import picocli.CommandLine.TypeConversionException;
 
 /** Looks for what must not be, in random worlds. */
 @Command(
@@ -90,7 +87,6 @@ final class FuzzCommand implements Callable<Integer> {
   @Option(
       names = "--scene",
       paramLabel = "KIND",
-      converter = Kinds.class,
       description = {
         "With --impacts: a scene on which the end rule works, instead of the canonical one: trapped"
             + " circles, pockets of some ulps, infinite masses, doors that crush balls, a heap that"
@@ -212,21 +208,6 @@ final class FuzzCommand implements Callable<Integer> {
           : new Crosses(circles == null ? 100 : circles, 50, 10, 1, 10, seed).scene();
     } catch (IllegalArgumentException e) {
       throw Bounded.refused(e, spec);
-    }
-  }
-
-  /** Finds a kind of scene by its name. */
-  static final class Kinds implements ITypeConverter<EndScene.Layout> {
-    @Override
-    public EndScene.Layout convert(String word) {
-      return Arrays.stream(EndScene.Layout.values())
-          .filter(each -> each.toString().equals(word))
-          .findFirst()
-          .orElseThrow(
-              () ->
-                  new TypeConversionException(
-                      "'%s' is none of %s"
-                          .formatted(word, Arrays.toString(EndScene.Layout.values()))));
     }
   }
 }

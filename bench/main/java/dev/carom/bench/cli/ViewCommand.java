@@ -27,18 +27,15 @@ import java.awt.geom.Rectangle2D;
 import java.io.IOException;
 import java.nio.file.Path;
 import java.util.ArrayList;
-import java.util.Arrays;
 import java.util.List;
 import java.util.concurrent.Callable;
 import java.util.function.IntFunction;
 import picocli.CommandLine.Command;
-import picocli.CommandLine.ITypeConverter;
 import picocli.CommandLine.Mixin;
 import picocli.CommandLine.Model.CommandSpec;
 import picocli.CommandLine.Option;
 import picocli.CommandLine.ParameterException;
 import picocli.CommandLine.Spec;
-import picocli.CommandLine.TypeConversionException;
 
 /** Opens a window on a scene, alone or beside another method. */
 @Command(
@@ -72,7 +69,6 @@ final class ViewCommand implements Callable<Integer> {
   @Option(
       names = "--preset",
       paramLabel = "NAME",
-      converter = Presets.class,
       description =
           "Show a scene in which methods fail within five seconds: fast, gap, corner, shallow,"
               + " slow, wedge or row.")
@@ -81,7 +77,6 @@ final class ViewCommand implements Callable<Integer> {
   @Option(
       names = "--against",
       paramLabel = "METHOD",
-      converter = Rivals.class,
       description =
           "Let another method play the same scene, in which obstacles rest: box2d, dyn4j, jbox2d;"
               + " or, at their best, box2d-best, dyn4j-best, jbox2d-best; without gravity also"
@@ -225,31 +220,5 @@ final class ViewCommand implements Callable<Integer> {
 
   private ParameterException usage(String message) {
     return new ParameterException(spec.commandLine(), message);
-  }
-
-  private static <E extends Enum<E>> E byName(E[] values, String word) {
-    return Arrays.stream(values)
-        .filter(each -> each.toString().equals(word))
-        .findFirst()
-        .orElseThrow(
-            () ->
-                new TypeConversionException(
-                    "'%s' is none of %s".formatted(word, Arrays.toString(values))));
-  }
-
-  /** Finds a rival by its name. */
-  static final class Rivals implements ITypeConverter<Rival> {
-    @Override
-    public Rival convert(String word) {
-      return byName(Rival.values(), word);
-    }
-  }
-
-  /** Finds a preset by its name. */
-  static final class Presets implements ITypeConverter<Preset> {
-    @Override
-    public Preset convert(String word) {
-      return byName(Preset.values(), word);
-    }
   }
 }
