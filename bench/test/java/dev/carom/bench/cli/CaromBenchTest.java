@@ -95,6 +95,16 @@ class CaromBenchTest {
         "measure                        | SERIES is missing: expected one of [sweep, scale, features, gas, threads, worlds]",
         "measure nosuch                 | SERIES is nosuch: expected one of [sweep, scale, features, gas, threads, worlds]",
         "gas --packing 2                | --packing is 2.0: expected more than 0 and less than 1",
+        "gas --frame-time 0             | --frame-time is 0.0: expected a finite number",
+        "gas --steady 0                 | --steady is 0: expected at least 1",
+        "scale --max 99                 | --max is 99: expected at least 100",
+        "scale --rounds 0               | --rounds is 0: expected at least 1",
+        "scale --warm-up -1             | --warm-up is -1: expected at least 0",
+        "features --heaps 9             | --heaps is 9: expected at least 10",
+        "measure worlds --worlds 0      | --worlds is 0: expected at least 1",
+        "fuzz --seconds 0               | --seconds is 0: expected at least 1",
+        "fuzz --sessions 0              | --sessions is 0: expected at least 1",
+        "fuzz --impacts 100000 --scene heap --gas | --scene and --gas exclude each other",
         "replay --speed NaN             | 'NaN' is not a speed, or a range such as 1..10",
         "replay --speed 1..Infinity     | '1..Infinity' is not a speed, or a range such as",
         "hash --frames 2 --long         | --frames and --long exclude each other",
@@ -122,7 +132,8 @@ class CaromBenchTest {
         "scale --csv %/a.csv; before anything long;scene.csv: is a file: expected a folder",
         "replay --json .; before anything long;.: is a folder: expected a file",
         "simulate --frames 1 --scene nosuch.csv; ;nosuch.csv: no such file",
-        "replay --crosses 1000; ;of 1000: none of 100,000 places fits"
+        "replay --crosses 1000; ;of 1000: none of 100,000 places fits",
+        "gas --packing 0.9; ;no room for circle 1 of 1000"
       })
   void badDataIsOneLineAndExitCodeOne(
       String words, String why, String message, @TempDir Path folder) throws Exception {

@@ -74,14 +74,4 @@ class FeaturesCommandTest {
     assertThat(valueOf(rows, "heap:10", "heap_resting")).isBetween(0.5, 1.0); // some may roll
     assertThat(valueOf(rows, "plinko", "heap_impacts")).isPositive();
   }
-
-  @Test
-  void aHeapOfTooFewIsRefused() {
-    assertThat(Cli.run("features --heaps 9").err()).contains("--heaps is 9: expected at least 10");
-  }
-
-  @Test
-  void noRoundsAreRefused() {
-    assertThat(Cli.run("features --rounds 0").err()).contains("--rounds is 0: expected at least 1");
-  }
 }

@@ -51,9 +51,6 @@ class GasCommandTest {
 
     assertThat(shorter.out()).contains("20 frames of 0.25,");
     assertThat((double) impacts(shorter) / whole).isBetween(0.2, 0.3);
-    Cli refused = Cli.run("gas --frame-time 0");
-    assertThat(refused.exitCode()).isEqualTo(2);
-    assertThat(refused.err()).contains("--frame-time is 0.0: expected").hasLineCount(1);
   }
 
   private static long impacts(Cli run) {
@@ -81,7 +78,6 @@ class GasCommandTest {
                         "speed    [\\d,]+ collisions per second,"
                             + " [\\d,.]+ ns per collision \\([\\d,.]+ \\.\\. [\\d,.]+\\)"),
             line -> assertThat(line).isEqualTo("bytes    0 allocated in the last round"));
-    assertThat(Cli.run("gas --steady 0").exitCode()).isEqualTo(2);
   }
 
   @Test
@@ -91,9 +87,6 @@ class GasCommandTest {
     assertThat(run.exitCode()).isZero();
     assertThat(run.out().lines().findFirst())
         .contains("gas      --seed 1 --circles 80 --packing 0.2 --spread 50 --heavy");
-    Cli usage = Cli.run("gas --packing 1.5");
-    assertThat(usage.exitCode()).isEqualTo(2);
-    assertThat(usage.err()).contains("packing is 1.5: expected").hasLineCount(1);
   }
 
   @Test
@@ -104,15 +97,5 @@ class GasCommandTest {
     assertThat(Scene.read(file).collide()).isTrue();
     assertThat(Scene.read(file).count(Kind.CIRCLE)).isEqualTo(9);
     assertThat(Cli.run("simulate --scene", file, "--frames", 1).exitCode()).isZero();
-  }
-
-  @Test
-  void refusesWhatIsNoGas() {
-    Cli usage = Cli.run("gas --packing 2");
-    assertThat(usage.exitCode()).isEqualTo(2);
-    assertThat(usage.err()).contains("packing is 2.0: expected").hasLineCount(1);
-    Cli room = Cli.run("gas --packing 0.9");
-    assertThat(room.exitCode()).isEqualTo(1);
-    assertThat(room.err()).contains("no room for circle 1 of 1000").hasLineCount(1);
   }
 }

@@ -59,11 +59,4 @@ class WorldsCommandTest {
   private static Row row(String knob, double value) {
     return new Row(ManyWorlds.SCENE, "carom", knob, ManyWorlds.SPEED, "median", value, "1/s", 1, 0);
   }
-
-  @Test
-  void refusesNoWorlds() {
-    Cli refused = Cli.run("measure worlds --worlds 0");
-    assertThat(refused.exitCode()).isEqualTo(2);
-    assertThat(refused.err()).contains("--worlds is 0: expected").hasLineCount(1);
-  }
 }

@@ -21,15 +21,13 @@ class WorldFuzzTest {
   @Test
   void someWorldsPlayWithoutAFinding() throws FindingException {
     WorldFuzz fuzz = new WorldFuzz();
-    WorldFuzz again = new WorldFuzz();
     for (int seed = 9; seed < 20; seed++) {
       fuzz.play(seed);
-      again.play(seed);
     }
 
     assertThat(fuzz.sessions()).isEqualTo(11);
-    assertThat(fuzz.impacts()).isGreaterThan(1_000).isEqualTo(again.impacts());
-    assertThat(fuzz.flights()).isGreaterThan(500).isEqualTo(again.flights());
+    assertThat(fuzz.impacts()).isGreaterThan(1_000);
+    assertThat(fuzz.flights()).isGreaterThan(500);
     assertThat(fuzz.steps()).isGreaterThan(100);
   }
 
