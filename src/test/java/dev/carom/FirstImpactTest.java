@@ -6,7 +6,6 @@ import static org.assertj.core.api.Assertions.assertThat;
 import dev.carom.NearlyAtOnce.Truth;
 import dev.carom.internal.state.EngineOptions;
 import java.util.ArrayList;
-import java.util.Collections;
 import java.util.List;
 import java.util.Optional;
 import java.util.Random;
@@ -28,10 +27,6 @@ class FirstImpactTest {
           EngineOptions.cells(0.5),
           EngineOptions.cells(3),
           EngineOptions.cells(40));
-
-  // Two of one rounded time.
-
-  // Random casts, of which most meet many things at one rounded time.
 
   @Tag("long")
   @Test
@@ -113,86 +108,5 @@ class FirstImpactTest {
           c.x(), c.y(), c.radius(), scene.velocities.get(i).x(), scene.velocities.get(i).y());
     }
     return new World((collide ? builder : builder.circle(0, 0, 5, 0, 0)).build(), options);
-  }
-
-  /** Each thing found is removed, or made a sensor or one-way. The next cast finds the second. */
-  @Tag("long")
-  @Test
-  void whatIsNotThereIsNotFirst() {
-    int next = 0;
-    for (int seed = 0; seed < 1_000; seed++) {
-      NearlyAtOnce scene = new NearlyAtOnce(new Random(seed));
-      EngineOptions options = MACHINERY.get(seed % MACHINERY.size());
-      World world = world(scene, seed % 2 == 0, options);
-      for (Truth first : scene.inOrder(seed % 2 == 0)) {
-        Impact impact = world.cast(new SweptCircle(scene.circle, scene.v), NEVER).orElseThrow();
-        assertThat(impact).as("seed %s, %s", seed, options).isEqualTo(impact(scene, first, NEVER));
-        if (first.kind() == Kind.WALL) {
-          break;
-        }
-        passOver(world, first, scene, seed % 3);
-        next++;
-      }
-    }
-    assertThat(next).isGreaterThan(1_500);
-  }
-
-  private static void passOver(World world, Truth first, NearlyAtOnce scene, int how) {
-    if (how == 0) {
-      world.remove(first.kind(), first.id());
-    } else if (how == 2 && first.kind() == Kind.LINE && scene.comesFromTheRight(first.id())) {
-      world.setTraits(Kind.LINE, first.id(), world.traits(Kind.LINE, first.id()).withOneWay(true));
-    } else {
-      world.setTraits(
-          first.kind(),
-          first.id(),
-          world.traits(first.kind(), first.id()).withResponse(Response.SENSOR));
-    }
-  }
-
-  /** Turned, and in another order: the same thing is first, unless several tie exactly. */
-  @Tag("long")
-  @Test
-  void neitherOrderNorTurnsChangeWhatIsFirst() {
-    int decided = 0;
-    for (int seed = 0; seed < 1_000; seed++) {
-      Random random = new Random(seed);
-      NearlyAtOnce scene = new NearlyAtOnce(random);
-      List<Obstacle> all = obstacles(scene);
-      List<Obstacle> found = new ArrayList<>();
-      for (int i = 0; i < 4; i++) {
-        Collections.shuffle(all, random);
-        Obstacle first = first(all, scene.circle, scene.v);
-        found.add(first);
-        Obstacle image =
-            first(
-                all.stream().map(FirstImpactTest::turned).toList(),
-                (Circle) turned(scene.circle),
-                new Vec2(scene.v.y(), -scene.v.x()));
-        assertThat(image).isEqualTo(first == null ? null : turned(first));
-      }
-      if (found.get(0) != null && scene.ties(false) == 1) {
-        assertThat(found).as("seed %s", seed).containsOnly(found.get(0));
-        decided++;
-      }
-    }
-    assertThat(decided).isGreaterThan(400);
-  }
-
-  private static Obstacle first(List<Obstacle> all, Circle circle, Vec2 v) {
-    return Resolver.of(all)
-        .cast(new SweptCircle(circle, v), NEVER)
-        .map(hit -> SweptCircleAnswers.thing(all, hit))
-        .orElse(null);
-  }
-
-  /** Turned right by a quarter. */
-  private static Obstacle turned(Obstacle o) {
-    if (o instanceof Line l) {
-      return new Line(l.ay(), -l.ax(), l.by(), -l.bx());
-    }
-    return o instanceof Bounds b
-        ? new Bounds(b.ymin(), -b.xmax(), b.ymax(), -b.xmin())
-        : new Circle(((Circle) o).y(), -((Circle) o).x(), ((Circle) o).radius());
   }
 }

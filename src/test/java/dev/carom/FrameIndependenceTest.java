@@ -3,8 +3,9 @@ package dev.carom;
 
 import static org.assertj.core.api.Assertions.assertThat;
 
-import java.util.Arrays;
 import java.util.Random;
+import java.util.stream.DoubleStream;
+import java.util.stream.IntStream;
 import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
@@ -21,74 +22,39 @@ class FrameIndependenceTest {
     return Run.advance(new World(scene), END);
   }
 
+  /** Frames of one, and of a half, and of 1/10, which is no double. */
+  @Tag("long")
   @ParameterizedTest
   @ValueSource(strings = {"base-1.csv", "base-2.csv", "base-3.csv", "fast-1.csv", "radii.csv"})
-  void wholeAndHalfFramesAndNoneAtAll(String file) {
+  void framesDoNotMatter(String file) {
     Scene scene = TestScenes.read(file);
     Run whole = whole(scene);
     assertThat(whole.impacts()).hasSizeGreaterThan(2000);
-    assertThat(Run.step(new World(scene), 1, 600)).isEqualTo(whole);
-    assertThat(Run.step(new World(scene), 0.5, 1200)).isEqualTo(whole);
-  }
-
-  /** Frames of 1/60 end at times that no frame of another length shares, but for the last. */
-  @ParameterizedTest
-  @ValueSource(strings = {"base-1.csv", "fast-1.csv", "radii.csv"})
-  void framesThatAreNoDoubles(String file) {
-    Scene scene = TestScenes.read(file);
-    double[] times = new double[6000];
-    for (int i = 0; i < times.length; i++) {
-      times[i] = (i + 1) / 10.0;
-    }
-    assertThat(Run.advance(new World(scene), times)).isEqualTo(whole(scene));
-  }
-
-  @Tag("long")
-  @ParameterizedTest
-  @ValueSource(strings = {"base-1.csv", "fast-1.csv", "radii.csv"})
-  void anySlicing(String file) {
-    Scene scene = TestScenes.read(file);
-    Run whole = whole(scene);
-    Random random = new Random(3);
-    for (int slices : new int[] {2, 3, 10, 100, 1000, 5000}) {
-      double[] times = random.doubles(slices, 0, END).sorted().toArray();
-      times[slices - 1] = END;
-      assertThat(Run.advance(new World(scene), times)).as("%s slices", slices).isEqualTo(whole);
+    for (int frames : new int[] {600, 1200, 6000}) {
+      double[] ends = IntStream.rangeClosed(1, frames).mapToDouble(i -> i * END / frames).toArray();
+      assertThat(Run.advance(new World(scene), ends)).as("%s frames", frames).isEqualTo(whole);
     }
   }
 
-  /** Cut exactly at impacts, and one ulp before and after each. */
+  /** Cut exactly at impacts, and one ulp before and after each, also where paths are parabolas. */
   @ParameterizedTest
-  @ValueSource(strings = {"base-1.csv", "fast-1.csv", "radii.csv"})
-  void cutsAtTheImpactsThemselves(String file) {
-    Scene scene = TestScenes.read(file);
-    Run whole = whole(scene);
-    double[] at = whole.impacts().stream().mapToDouble(Run.Row::time).toArray();
-    assertThat(Run.advance(new World(scene), withEnd(at))).isEqualTo(whole);
-    double[] around =
-        Arrays.stream(at)
-            .flatMap(t -> Arrays.stream(new double[] {Math.nextDown(t), t, Math.nextUp(t)}))
-            .sorted()
-            .toArray();
-    assertThat(Run.advance(new World(scene), withEnd(around))).isEqualTo(whole);
-  }
-
-  /** Among slides that end between impacts, and circles that come to rest. */
-  @ParameterizedTest
-  @ValueSource(longs = {1, 2})
-  void wherePathsAreParabolasToo(long seed) {
-    Scene scene = RandomScenes.falling(new Random(seed)).build();
+  @ValueSource(strings = {"base-1.csv", "fast-1.csv", "radii.csv", "falling"})
+  void cutsAtTheImpactsDoNotMatter(String name) {
+    Scene scene =
+        name.equals("falling")
+            ? RandomScenes.falling(new Random(1)).build()
+            : TestScenes.read(name);
     Run whole = whole(scene);
     assertThat(whole.impacts()).hasSizeGreaterThan(1000);
-    assertThat(Run.step(new World(scene), 0.5, 1200)).isEqualTo(whole);
-    double[] at = whole.impacts().stream().mapToDouble(Run.Row::time).toArray();
-    assertThat(Run.advance(new World(scene), withEnd(at))).isEqualTo(whole);
-  }
-
-  private static double[] withEnd(double[] times) {
-    double[] all = Arrays.copyOf(times, times.length + 1);
-    all[times.length] = END;
-    return all;
+    double[] ends =
+        DoubleStream.concat(
+                whole.impacts().stream()
+                    .mapToDouble(Run.Row::time)
+                    .flatMap(t -> DoubleStream.of(Math.max(0, Math.nextDown(t)), t, Math.nextUp(t)))
+                    .sorted(),
+                DoubleStream.of(END))
+            .toArray();
+    assertThat(Run.advance(new World(scene), ends)).isEqualTo(whole);
   }
 
   /** Asking where the circles are does not move them. */

@@ -228,66 +228,7 @@ class MoveToTest {
     return below;
   }
 
-  // Frames, snapshots and the past.
-
-  /** One step, frames, frames that end at arrivals, impact after impact, with snapshots between. */
-  @ParameterizedTest
-  @CsvSource({"false, 0", "false, -10", "true, 0", "true, -10"})
-  void framesDoNotMatter(boolean collide, double gravity) {
-    for (int seed = 0; seed < 15; seed++) {
-      Snapshot whole = play(seed, collide, gravity, 0);
-      for (int way = 1; way < 5; way++) {
-        assertThat(play(seed, collide, gravity, way))
-            .as("seed %s, way %s", seed, way)
-            .isEqualTo(whole);
-      }
-    }
-  }
-
-  private static Snapshot play(int seed, boolean collide, double gravity, int way) {
-    Random random = new Random(seed);
-    SceneBuilder scene = Scene.builder().bounds(0, 0, 20, 20).collide(collide);
-    scene.gravity(0, gravity);
-    for (int i = 0; i < 4; i++) {
-      double x = 2 + 4 * i;
-      scene.line(x, 4, x + 3, 4 + random.nextInt(2)).peg(x, 9, 0.5 + random.nextDouble());
-    }
-    for (int i = 0; i < 8; i++) {
-      scene.circle(1.5 + 2 * i, 15, 0.4, random.nextGaussian(), random.nextGaussian());
-      scene.restitution(random.nextInt(3) / 2.0);
-    }
-    World world = new World(scene.build());
-    Random cuts = new Random(99);
-    for (double t = 1; t <= 6; t++) {
-      for (int i = 0; i < 4; i++) {
-        Kind kind = random.nextBoolean() ? Kind.LINE : Kind.PEG;
-        double x = 20 * random.nextDouble();
-        double arrival = t - 1 + (1 + random.nextInt(12)) / 8.0;
-        world.moveTo(kind, i, x, 2 + 12 * random.nextDouble(), arrival);
-      }
-      world = go(world, t, way, cuts);
-    }
-    return world.snapshot();
-  }
-
-  private static World go(World world, double end, int way, Random cuts) {
-    World played = world;
-    while (way > 0 && played.now() < end) {
-      double next = Math.min(end, played.now() + (way == 2 ? 0.125 : 0.3 * cuts.nextDouble()));
-      if (way == 3) {
-        played.advanceToImpact(end);
-      } else {
-        played.advanceTo(next);
-      }
-      if (way == 4) {
-        Snapshot saved = played.snapshot();
-        played = new World(world.scene());
-        played.restore(saved);
-      }
-    }
-    played.advanceTo(end);
-    return played;
-  }
+  // The past.
 
   @ParameterizedTest
   @CsvSource({"false, 0", "false, -10", "true, 0", "true, -10"})

@@ -6,7 +6,6 @@ import dev.carom.oracle.Oracle;
 import dev.carom.oracle.PairQuery;
 import dev.carom.oracle.SegmentQuery;
 import dev.carom.oracle.WallQuery;
-import java.math.BigDecimal;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Random;
@@ -145,30 +144,9 @@ final class NearlyAtOnce {
     velocities.add(its);
   }
 
-  /** The first of them; null for none. */
+  /** The first of them, of exactly simultaneous ones the first in order; null for none. */
   Truth first(boolean collide) {
-    return all(collide).isEmpty() ? null : inOrder(collide).get(0);
-  }
-
-  /** All of them, the earliest first, of exactly simultaneous ones the first in order. */
-  List<Truth> inOrder(boolean collide) {
-    return all(collide).stream().sorted(Truth::compareTime).toList();
-  }
-
-  /** Whether the centre starts right of a line, strictly. */
-  boolean comesFromTheRight(int line) {
-    Line l = lines.get(line);
-    BigDecimal ax = new BigDecimal(l.ax());
-    BigDecimal ay = new BigDecimal(l.ay());
-    BigDecimal left =
-        new BigDecimal(l.bx())
-            .subtract(ax)
-            .multiply(new BigDecimal(circle.y()).subtract(ay))
-            .subtract(
-                new BigDecimal(l.by())
-                    .subtract(ay)
-                    .multiply(new BigDecimal(circle.x()).subtract(ax)));
-    return left.signum() < 0;
+    return all(collide).stream().min(Truth::compareTime).orElse(null);
   }
 
   /** How many others are met at the rounded time of the first one, but not at its exact time. */
@@ -178,12 +156,6 @@ final class NearlyAtOnce {
         .filter(each -> each.contact.time() == first.contact.time())
         .filter(each -> each.compareTime(first) != 0)
         .count();
-  }
-
-  /** How many are met first: at exactly the same time. */
-  long ties(boolean collide) {
-    Truth first = first(collide);
-    return all(collide).stream().filter(each -> each.compareTime(first) == 0).count();
   }
 
   private List<Truth> all(boolean collide) {

@@ -5,10 +5,7 @@ import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.assertThatThrownBy;
 
 import java.util.List;
-import java.util.Random;
 import org.junit.jupiter.api.Test;
-import org.junit.jupiter.params.ParameterizedTest;
-import org.junit.jupiter.params.provider.ValueSource;
 
 /** Halting, sensors and one-way lines. */
 class ResponseTest {
@@ -127,16 +124,6 @@ class ResponseTest {
             8);
     assertThat(rows).extracting(Run.Row::obstacle).containsExactly(1, 2, 0);
     assertThat(rows).extracting(Run.Row::time).containsOnly(7.0);
-  }
-
-  @ParameterizedTest
-  @ValueSource(doubles = {0.1, 0.25, 1, 3.5, 7})
-  void framesDoNotMatterToSensors(double frame) {
-    Scene scene = RandomScenes.responses(new Random(7)).build();
-    Run whole = Run.advance(new World(scene), 140);
-    assertThat(whole.impacts()).hasSizeGreaterThan(200);
-    assertThat(Run.step(new World(scene), frame, (int) Math.round(140 / frame)).impacts())
-        .isEqualTo(whole.impacts());
   }
 
   // One-way lines.

@@ -6,7 +6,7 @@
  * <ul>
  *   <li>numbers: MagnitudeTest; any doubles at all: ExtremeQuestionsTest, ExtremeWorldsTest
  *   <li>without end: TrappedTest, BumpersTest, JammedCirclesTest (and EndsTest, InelasticTest)
- *   <li>masses that nothing deflects: InfiniteMassTest; circles on each other: HeapTest
+ *   <li>masses that nothing deflects: InfiniteMassTest
  * </ul>
  *
  * The tests use public types alone.
