@@ -3,22 +3,16 @@ package dev.carom;
 
 import static org.assertj.core.api.Assertions.assertThat;
 
-import dev.carom.internal.exact.Dyadic;
-import dev.carom.internal.exact.Polynomial;
-import dev.carom.internal.exact.RealRoot;
-import dev.carom.internal.sweep.Contact;
-import dev.carom.internal.sweep.DiskSweep;
-import dev.carom.internal.sweep.FallSweep;
-import dev.carom.internal.sweep.Falls;
-import dev.carom.internal.sweep.SegmentSweep;
+import dev.carom.oracle.PairQuery;
 import dev.carom.oracle.SegmentQuery;
 import dev.carom.oracle.SphereQuery;
 import java.math.BigDecimal;
 import java.math.MathContext;
 import java.util.Arrays;
 import java.util.Random;
+import java.util.function.Supplier;
 import java.util.function.ToDoubleFunction;
-import java.util.function.ToIntFunction;
+import java.util.function.UnaryOperator;
 import java.util.stream.IntStream;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
@@ -30,7 +24,7 @@ import org.junit.jupiter.params.provider.CsvSource;
  * impact, in any units of length and of time.
  */
 class WindowEndTest {
-  private static final int QUESTIONS = 4_000;
+  private static final int HITS = 2_000;
   private static final MathContext DIGITS = new MathContext(60);
   private static final double FOREVER = Double.POSITIVE_INFINITY;
 
@@ -121,18 +115,7 @@ class WindowEndTest {
 
   @Test
   void ofDisks() {
-    int asked = 0;
-    while (asked < QUESTIONS) {
-      double[] n = disks();
-      if (DiskSweep.contact(n[0], n[1], n[2], n[3], n[4], n[5], n[6], n[7], n[8], n[9])
-          == Contact.LATER) {
-        asked++;
-        RealRoot exact =
-            RealRoot.ofStraight(
-                gap(n[2], n[7], motion(n[0], n[5], n[3], n[8]), motion(n[1], n[6], n[4], n[9])));
-        assertThat(pair(n)).as(() -> Arrays.toString(n)).isEqualTo(exact.upTo(n[10]));
-      }
-    }
+    assertTimes(this::disks, WindowEndTest::pair, n -> PairQuery.of(n).truth().time());
   }
 
   // Two spheres: x1 y1 z1 r1 vx1 vy1 vz1 x2 y2 z2 r2 vx2 vy2 vz2 T.
@@ -164,21 +147,7 @@ class WindowEndTest {
 
   @Test
   void ofSpheres() {
-    int apart = 0;
-    int meeting = 0;
-    for (int i = 0; i < QUESTIONS; i++) {
-      double[] n = spheres();
-      Polynomial exact = exact(n);
-      if (exact.sign(Dyadic.ZERO) > 0) {
-        boolean meets = meets(exact);
-        double time = meets ? RealRoot.ofStraight(exact).upTo(n[14]) : FOREVER;
-        assertThat(sphere(n)).as(() -> Arrays.toString(n)).isEqualTo(time);
-        apart++;
-        meeting += meets ? 1 : 0;
-      }
-    }
-    assertThat(apart).isGreaterThan(QUESTIONS / 2);
-    assertThat(meeting).isGreaterThan(QUESTIONS / 40);
+    assertTimes(this::spheres, WindowEndTest::sphere, n -> new SphereQuery(n).truth());
   }
 
   /**
@@ -200,7 +169,7 @@ class WindowEndTest {
       b = b.add(new BigDecimal(u[axis]).multiply(new BigDecimal(d[axis])));
     }
     if (a.signum() == 0) {
-      return null;
+      return touching();
     }
     BigDecimal gap = b.pow(2).divide(a, DIGITS).multiply(new BigDecimal(random.nextDouble()));
     BigDecimal r = dd.subtract(gap).sqrt(DIGITS);
@@ -227,17 +196,7 @@ class WindowEndTest {
 
   @Test
   void ofSpheresThatNearlyTouch() {
-    int hits = 0;
-    for (int i = 0; i < QUESTIONS; i++) {
-      double[] n = touching();
-      Polynomial exact = n == null ? null : exact(n);
-      if (exact != null && exact.sign(Dyadic.ZERO) > 0 && meets(exact)) {
-        double time = RealRoot.ofStraight(exact).upTo(n[14]);
-        assertThat(sphere(n)).as(() -> Arrays.toString(n)).isEqualTo(time);
-        hits++;
-      }
-    }
-    assertThat(hits).isGreaterThan(QUESTIONS / 4);
+    assertTimes(this::touching, WindowEndTest::sphere, n -> new SphereQuery(n).truth());
   }
 
   /** Found by search: they touch at a time near the end, along an axis of which a term is left. */
@@ -255,34 +214,6 @@ class WindowEndTest {
   void ofSpheresFoundBySearch(ArgumentsAccessor numbers) {
     double[] n = parse(numbers, 15);
     assertThat(sphere(n)).isEqualTo(new SphereQuery(n).truth());
-  }
-
-  private static Polynomial exact(double[] n) {
-    return gap(
-        n[3],
-        n[10],
-        motion(n[0], n[7], n[4], n[11]),
-        motion(n[1], n[8], n[5], n[12]),
-        motion(n[2], n[9], n[6], n[13]));
-  }
-
-  private static Polynomial motion(double p, double q, double v, double u) {
-    return Polynomial.EXACT.motion(p, q, v, u, 0);
-  }
-
-  /** The square of an offset, less that of the sum of two radii. */
-  private static Polynomial gap(double r1, double r2, Polynomial... offset) {
-    Polynomial r = Polynomial.EXACT.difference(r1, -r2);
-    Polynomial gap = Polynomial.of().minus(r.times(r));
-    for (Polynomial axis : offset) {
-      gap = gap.plus(axis.times(axis));
-    }
-    return gap;
-  }
-
-  /** Whether a gap is falling at the start and gets below 0 later. */
-  private static boolean meets(Polynomial gap) {
-    return gap.derivative().sign(Dyadic.ZERO) < 0 && gap.positiveRoots(null).size() == 2;
   }
 
   // A disk and the side of a line: ax ay bx by px py r vx vy T.
@@ -305,16 +236,12 @@ class WindowEndTest {
     return new SweptCircle(n[4], n[5], n[6], n[7], n[8]).timeToLine(n[0], n[1], n[2], n[3], n[9]);
   }
 
-  private static int contact(double[] n) {
-    return SegmentSweep.contact(n[4], n[5], n[6], n[7], n[8], n[0], n[1], n[2], n[3], 0, 0);
-  }
-
   @Test
   void ofSides() {
     assertSides(
         n -> {
           end(n, WindowEndTest::line, new int[] {0, 1, 2, 3, 4, 5, 6}, new int[] {7, 8});
-          return contact(n);
+          return n;
         });
   }
 
@@ -325,13 +252,30 @@ class WindowEndTest {
         n -> {
           int unit = random.nextInt(300);
           double half = Math.scalb(1 + random.nextDouble(), -400 - random.nextInt(140));
-          double[] m = {-half, 0, half, 0, 0, 3 + random.nextDouble(), 1, 0, -1, 0};
-          System.arraycopy(m, 0, n, 0, n.length);
-          double t = line(withEnd(n, FOREVER));
-          n[9] = t * (1 + Math.scalb(number(1), -random.nextInt(53)));
-          multiply(n, unit, 5, 6, 8);
-          return contact(n);
+          double[] m = {-half, 0, half, 0, 0, 3 + random.nextDouble(), 1, 0, -1, FOREVER};
+          m[9] = line(m) * (1 + Math.scalb(number(1), -random.nextInt(53)));
+          multiply(m, unit, 5, 6, 8);
+          return m;
         });
+  }
+
+  private void assertSides(UnaryOperator<double[]> change) {
+    assertTimes(
+        () -> change.apply(side()), WindowEndTest::line, n -> SegmentQuery.of(n).truth().time());
+  }
+
+  /** The answers are those of the oracle, to questions of which so many end in an impact. */
+  private static void assertTimes(
+      Supplier<double[]> questions,
+      ToDoubleFunction<double[]> time,
+      ToDoubleFunction<double[]> truth) {
+    int hits = 0;
+    while (hits < HITS) {
+      double[] n = questions.get();
+      double expected = truth.applyAsDouble(n);
+      assertThat(time.applyAsDouble(n)).as(() -> Arrays.toString(n)).isEqualTo(expected);
+      hits += expected < FOREVER ? 1 : 0;
+    }
   }
 
   /**
@@ -351,28 +295,5 @@ class WindowEndTest {
   void ofSidesInExtremeUnits(ArgumentsAccessor numbers) {
     double[] n = parse(numbers, 10);
     assertThat(line(n)).isEqualTo(SegmentQuery.of(n).truth().time());
-  }
-
-  private static double[] withEnd(double[] n, double end) {
-    double[] m = n.clone();
-    m[9] = end;
-    return m;
-  }
-
-  private void assertSides(ToIntFunction<double[]> change) {
-    int asked = 0;
-    for (int i = 0; i < QUESTIONS; i++) {
-      double[] n = side();
-      int contact = change.applyAsInt(n);
-      if (contact == Contact.LEFT || contact == Contact.RIGHT) {
-        asked++;
-        RealRoot exact =
-            FallSweep.exactTime(
-                Falls.line(n[4], n[5], n[6], n[7], n[8], 0, 0, n[0], n[1], n[2], n[3], 0, 0),
-                contact);
-        assertThat(line(n)).as(() -> Arrays.toString(n)).isEqualTo(exact.upTo(n[9]));
-      }
-    }
-    assertThat(asked).isGreaterThan(QUESTIONS / 8);
   }
 }
