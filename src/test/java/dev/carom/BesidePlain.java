@@ -31,7 +31,7 @@ public final class BesidePlain {
   /** Advances both, and returns the number of impacts, which are the same. */
   public int advanceTo(double end) {
     world.advanceTo(end);
-    List<Run.Row> rows = Run.rows(world.impacts());
+    List<Impact> rows = Run.rows(world.impacts());
     assertThat(rows).isEqualTo(Run.rows(plain.advance(end, rows.size() + 1)));
     return rows.size();
   }

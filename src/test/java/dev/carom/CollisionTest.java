@@ -21,7 +21,8 @@ class CollisionTest {
     Run run = run(Scene.builder().circle(0, 0, 1, 2, 0).circle(12, 0, 3, -2, 0));
     assertThat(run.impacts())
         .containsExactly(
-            new Run.Row(2, 0, Kind.CIRCLE, 1, Feature.CIRCLE, 5, 0, -1, 0, 4, Outcome.BOUNCED));
+            new Impact(
+                2, 0, Kind.CIRCLE, 1, 0, Feature.CIRCLE, 5, 0, -1, 0, 4, 4, Outcome.BOUNCED));
     assertThat(run.end().get(0).vx()).isEqualTo(-2);
     assertThat(run.end().get(1).vx()).isEqualTo(2);
     assertThat(run.end().get(0).x()).isEqualTo(4 - 2 * 98);
@@ -61,9 +62,9 @@ class CollisionTest {
   void simultaneousCollisionsAreTakenByNumber() {
     Run run =
         run(Scene.builder().circle(0, 0, 1, 0, 0).circle(-5, 0, 1, 1, 0).circle(5, 0, 1, -1, 0));
-    assertThat(run.impacts().stream().map(Run.Row::time)).containsOnly(3.0);
-    assertThat(run.impacts().get(0).obstacle()).isEqualTo(1);
-    assertThat(run.impacts().get(1).obstacle()).isEqualTo(2);
+    assertThat(run.impacts().stream().map(Impact::time)).containsOnly(3.0);
+    assertThat(run.impacts().get(0).id()).isEqualTo(1);
+    assertThat(run.impacts().get(1).id()).isEqualTo(2);
     assertThat(run.end().stream().map(Run.State::vx)).containsExactly(0.0, -1.0, 1.0);
   }
 

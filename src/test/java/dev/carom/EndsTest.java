@@ -244,7 +244,7 @@ class EndsTest {
   @Test
   void furtherCallsGoOnAndNothingIsDropped() {
     World world = new World(busy());
-    List<Run.Row> rows = new ArrayList<>();
+    List<Impact> rows = new ArrayList<>();
     int calls = 0;
     boolean complete;
     do {

@@ -165,29 +165,31 @@ class EngineOptionsTest {
                     seen(
                         row,
                         circles.get(row.circle()),
-                        things.get(row.kind().ordinal()).get(row.obstacle()))))
-        .isEqualTo(run.map(row -> seen(row, row.circle(), row.obstacle())));
+                        things.get(row.kind().ordinal()).get(row.id()))))
+        .isEqualTo(run.map(row -> seen(row, row.circle(), row.id())));
     for (int i = 0; i < circles.size(); i++) {
       assertThat(ofOther.end().get(i)).isEqualTo(run.end().get(circles.get(i)));
     }
   }
 
   /** The row in which the lower id comes first; the contact point is that of the one named. */
-  private static Run.Row seen(Run.Row row, int circle, int obstacle) {
+  private static Impact seen(Impact row, int circle, int id) {
     boolean pair = row.kind() == Kind.CIRCLE;
-    boolean turned = pair && circle > obstacle;
+    boolean turned = pair && circle > id;
     double sign = turned ? -1 : 1;
-    return new Run.Row(
+    return new Impact(
         row.time(),
-        turned ? obstacle : circle,
+        turned ? id : circle,
         row.kind(),
-        turned ? circle : obstacle,
+        turned ? circle : id,
+        row.part(),
         row.feature(),
         pair ? 0 : row.x(),
         pair ? 0 : row.y(),
         sign * row.nx() + 0.0,
         sign * row.ny() + 0.0,
-        row.speed(),
+        row.approachSpeed(),
+        row.impulse(),
         row.outcome());
   }
 
@@ -201,8 +203,8 @@ class EngineOptionsTest {
   private static Scene withoutOverlaps(Scene scene) {
     World world = new World(scene);
     world.step(0);
-    for (Run.Row row : Run.rows(world.impacts())) {
-      for (int id : new int[] {row.circle(), row.kind() == Kind.CIRCLE ? row.obstacle() : -1}) {
+    for (Impact row : Run.rows(world.impacts())) {
+      for (int id : new int[] {row.circle(), row.kind() == Kind.CIRCLE ? row.id() : -1}) {
         if (world.contains(Kind.CIRCLE, id)) {
           world.remove(Kind.CIRCLE, id);
         }

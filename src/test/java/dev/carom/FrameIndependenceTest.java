@@ -49,7 +49,7 @@ class FrameIndependenceTest {
     double[] ends =
         DoubleStream.concat(
                 whole.impacts().stream()
-                    .mapToDouble(Run.Row::time)
+                    .mapToDouble(Impact::time)
                     .flatMap(t -> DoubleStream.of(Math.max(0, Math.nextDown(t)), t, Math.nextUp(t)))
                     .sorted(),
                 DoubleStream.of(END))

@@ -35,7 +35,7 @@ class InelasticTest {
       do {
         complete = world.advanceTo(frame, Run.WORK);
         assertThat(++calls).as("calls for a frame").isLessThanOrEqualTo(CALLS);
-        for (Run.Row row : Run.rows(world.impacts())) {
+        for (Impact row : Run.rows(world.impacts())) {
           impacts++;
           jammed += row.outcome() == Outcome.JAMMED ? 1 : 0;
         }

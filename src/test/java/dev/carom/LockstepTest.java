@@ -83,7 +83,7 @@ class LockstepTest {
     SceneBuilder setup = Scene.builder().bounds(0, 0, 10, 10).circle(5, 2, 1, 0.7, 0);
     Scene scene = setup.circle(5, 8, 1, 0, 0.3).build();
     int rounded = 0;
-    for (Run.Row row : Run.advance(new World(scene), 200).impacts()) {
+    for (Impact row : Run.advance(new World(scene), 200).impacts()) {
       World world = new World(scene);
       world.advanceTo(row.time());
       rounded += tail(world, row.circle()) > 0 ? 1 : 0;

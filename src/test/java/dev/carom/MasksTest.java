@@ -44,7 +44,7 @@ class MasksTest {
     assertThat(world.impacts().size()).isEqualTo(1);
     world.step(1);
     assertThat(Run.rows(world.impacts()))
-        .extracting(Run.Row::time, Run.Row::circle, Run.Row::kind)
+        .extracting(Impact::time, Impact::circle, Impact::kind)
         .containsExactly(tuple(7.5, 0, Kind.LINE));
     world.step(20);
     assertThat(world.x(0)).isEqualTo(110 - 8 * 20.5);

@@ -105,7 +105,7 @@ class RadiiTrajectoryTest {
     return 0x1p-53 * Math.pow(10, LOG_CONDITION[frame][i]);
   }
 
-  private static int column(Run.Row row) {
+  private static int column(Impact row) {
     if (row.kind() == Kind.WALL) {
       return 3;
     }
@@ -121,7 +121,7 @@ class RadiiTrajectoryTest {
     int[][] counts = new int[CIRCLES][4];
     World world = new World(TestScenes.read("radii.csv"));
     world.advanceTo(FRAMES);
-    for (Run.Row row : Run.rows(world.impacts())) {
+    for (Impact row : Run.rows(world.impacts())) {
       counts[row.circle()][column(row)]++;
     }
     int[] compared = new int[1];

@@ -14,7 +14,7 @@ class ResponseTest {
     return Scene.builder().collide(false).bounds(0, 0, 100, 100);
   }
 
-  private static List<Run.Row> impacts(SceneBuilder scene, double end) {
+  private static List<Impact> impacts(SceneBuilder scene, double end) {
     return Run.advance(new World(scene.build()), end).impacts();
   }
 
@@ -73,20 +73,20 @@ class ResponseTest {
   void aSensorReportsEachEntryAndDeflectsNothing() {
     SceneBuilder with = box().peg(50, 50, 10).response(Response.SENSOR).circle(20, 50, 5, 5, 0);
     SceneBuilder without = box().circle(20, 50, 5, 5, 0);
-    List<Run.Row> rows = impacts(with, 60);
+    List<Impact> rows = impacts(with, 60);
     assertThat(rows.stream().filter(row -> row.kind() == Kind.WALL).toList())
         .isEqualTo(impacts(without, 60));
-    assertThat(rows.stream().filter(row -> row.kind() == Kind.PEG).map(Run.Row::time))
+    assertThat(rows.stream().filter(row -> row.kind() == Kind.PEG).map(Impact::time))
         .containsExactly(3.0, 21.0, 39.0, 57.0);
-    Run.Row first = rows.get(0);
-    assertThat(List.of(first.x(), first.y(), first.nx(), first.speed()))
+    Impact first = rows.get(0);
+    assertThat(List.of(first.x(), first.y(), first.nx(), first.approachSpeed()))
         .containsExactly(40.0, 50.0, -1.0, 5.0);
   }
 
   /** Inside a sensor the circle turns round at a line: it has not left, so it does not enter. */
   @Test
   void aBounceInsideASensorReportsNothing() {
-    List<Run.Row> rows =
+    List<Impact> rows =
         impacts(
             box()
                 .peg(50, 50, 20)
@@ -94,7 +94,7 @@ class ResponseTest {
                 .line(50, 0, 50, 100)
                 .circle(10, 50, 5, 5, 0),
             13);
-    assertThat(rows).extracting(Run.Row::kind).containsExactly(Kind.PEG, Kind.LINE);
+    assertThat(rows).extracting(Impact::kind).containsExactly(Kind.PEG, Kind.LINE);
   }
 
   @Test
@@ -112,7 +112,7 @@ class ResponseTest {
   /** Where a sensor and a line are hit at one time, the sensor is reported, and first. */
   @Test
   void aSensorAtTheVeryPlaceOfALineIsReportedToo() {
-    List<Run.Row> rows =
+    List<Impact> rows =
         impacts(
             box()
                 .line(50, 0, 50, 100)
@@ -122,19 +122,19 @@ class ResponseTest {
                 .response(Response.SENSOR)
                 .circle(10, 50, 5, 5, 0),
             8);
-    assertThat(rows).extracting(Run.Row::obstacle).containsExactly(1, 2, 0);
-    assertThat(rows).extracting(Run.Row::time).containsOnly(7.0);
+    assertThat(rows).extracting(Impact::id).containsExactly(1, 2, 0);
+    assertThat(rows).extracting(Impact::time).containsOnly(7.0);
   }
 
   // One-way lines.
 
   @Test
   void aOneWayLineIsThereOnlyFromItsLeft() {
-    List<Run.Row> rows =
+    List<Impact> rows =
         impacts(
             box().line(50, 0, 50, 100).oneWay().circle(20, 50, 5, 2, 0).circle(80, 20, 5, -2, 0),
             35);
-    assertThat(rows.stream().filter(row -> row.circle() == 0).map(Run.Row::kind))
+    assertThat(rows.stream().filter(row -> row.circle() == 0).map(Impact::kind))
         .containsOnly(Kind.LINE, Kind.WALL);
     assertThat(rows.stream().filter(row -> row.circle() == 1)).isEmpty();
   }
@@ -158,8 +158,8 @@ class ResponseTest {
 
   @Test
   void itsEndsAreSolidFromTheLeftToo() {
-    List<Run.Row> rows = impacts(box().line(50, 50, 50, 100).oneWay().circle(20, 47, 5, 2, 0), 20);
-    assertThat(rows).extracting(Run.Row::feature).startsWith(Feature.START);
+    List<Impact> rows = impacts(box().line(50, 50, 50, 100).oneWay().circle(20, 47, 5, 2, 0), 20);
+    assertThat(rows).extracting(Impact::feature).startsWith(Feature.START);
     assertThat(impacts(box().line(50, 100, 50, 50).oneWay().circle(20, 47, 5, 2, 0), 20)).isEmpty();
   }
 

@@ -51,7 +51,7 @@ final class RestoredTwin {
    * Advances it in one step, in which the same impacts happen as in the other one, and returns
    * false if that took more than its budget, which is not saved.
    */
-  boolean advance(World world, double end, List<Run.Row> rows) {
+  boolean advance(World world, double end, List<Impact> rows) {
     if (!twin.advanceTo(end, Run.WORK)) {
       return false;
     }

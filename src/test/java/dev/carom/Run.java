@@ -9,39 +9,14 @@ import java.util.function.UnaryOperator;
  * A run of a world: all its impacts in order, and how its circles move at the end. Two runs are
  * equal if they are so to the bit: records compare doubles by their bits.
  */
-public record Run(List<Row> impacts, List<State> end) {
-
-  /** One row of an impact log. */
-  public record Row(
-      double time,
-      int circle,
-      Kind kind,
-      int obstacle,
-      Feature feature,
-      double x,
-      double y,
-      double nx,
-      double ny,
-      double speed,
-      Outcome outcome) {
-
-    /** This row at another time. */
-    public Row at(double time) {
-      return new Row(time, circle, kind, obstacle, feature, x, y, nx, ny, speed, outcome);
-    }
-
-    /** This row with other ids. */
-    public Row renamed(int circle, int obstacle) {
-      return new Row(time, circle, kind, obstacle, feature, x, y, nx, ny, speed, outcome);
-    }
-  }
+public record Run(List<Impact> impacts, List<State> end) {
 
   /** Where a circle is, and its velocity. */
   public record State(double x, double y, double vx, double vy) {}
 
   /** Advances a world to each of the given times in turn. */
   public static Run advance(World world, double... times) {
-    List<Row> impacts = new ArrayList<>();
+    List<Impact> impacts = new ArrayList<>();
     for (double time : times) {
       world.advanceTo(time);
       impacts.addAll(rows(world.impacts()));
@@ -51,7 +26,7 @@ public record Run(List<Row> impacts, List<State> end) {
 
   /** Steps a world a number of times. */
   public static Run step(World world, double dt, int count) {
-    List<Row> impacts = new ArrayList<>();
+    List<Impact> impacts = new ArrayList<>();
     for (int i = 0; i < count; i++) {
       world.step(dt);
       impacts.addAll(rows(world.impacts()));
@@ -71,8 +46,8 @@ public record Run(List<Row> impacts, List<State> end) {
   }
 
   /** Advances a world to a time in as many calls as that takes, and returns all impacts. */
-  public static List<Row> finish(World world, double t, long work) {
-    List<Row> impacts = new ArrayList<>();
+  public static List<Impact> finish(World world, double t, long work) {
+    List<Impact> impacts = new ArrayList<>();
     boolean complete;
     do {
       complete = world.advanceTo(t, work);
@@ -82,23 +57,9 @@ public record Run(List<Row> impacts, List<State> end) {
   }
 
   /** The rows of a log. */
-  public static List<Row> rows(ImpactLog log) {
-    List<Row> rows = new ArrayList<>();
-    for (int i = 0; i < log.size(); i++) {
-      rows.add(
-          new Row(
-              log.time(i),
-              log.circle(i),
-              log.kind(i),
-              log.id(i),
-              log.feature(i),
-              log.x(i),
-              log.y(i),
-              log.nx(i),
-              log.ny(i),
-              log.approachSpeed(i),
-              log.outcome(i)));
-    }
+  public static List<Impact> rows(ImpactLog log) {
+    List<Impact> rows = new ArrayList<>();
+    log.forEach(rows::add);
     return rows;
   }
 
@@ -112,12 +73,12 @@ public record Run(List<Row> impacts, List<State> end) {
   }
 
   /** This run's impacts of one circle. */
-  public List<Row> of(int circle) {
+  public List<Impact> of(int circle) {
     return impacts.stream().filter(row -> row.circle() == circle).toList();
   }
 
   /** The impacts, each changed. */
-  public List<Row> map(UnaryOperator<Row> change) {
+  public List<Impact> map(UnaryOperator<Impact> change) {
     return impacts.stream().map(change).toList();
   }
 }

@@ -86,7 +86,7 @@ final class ThreeWorlds {
     if (!world.advanceTo(end, WORK) || world.impacts().size() > most) {
       return -1;
     }
-    List<Run.Row> rows = Run.rows(world.impacts());
+    List<Impact> rows = Run.rows(world.impacts());
     assertThat(advanceTwin(start, end, rows)).as("twin").isEqualTo(rows);
     assertThat(states(twin)).as("twin").isEqualTo(states(world));
     assertThat(Run.rows(plain.advance(end, rows.size() + 1))).as("plain").isEqualTo(rows);
@@ -140,7 +140,7 @@ final class ThreeWorlds {
   }
 
   /** The same in up to four steps, some of which end at an impact, or an ulp from one. */
-  private List<Run.Row> advanceTwin(double start, double end, List<Run.Row> rows) {
+  private List<Impact> advanceTwin(double start, double end, List<Impact> rows) {
     double[] ends = new double[1 + random.nextInt(4)];
     for (int k = 0; k < ends.length; k++) {
       double drawn = start + (end - start) * random.nextDouble();
@@ -150,7 +150,7 @@ final class ThreeWorlds {
     }
     ends[0] = end;
     Arrays.sort(ends);
-    List<Run.Row> inSteps = new ArrayList<>();
+    List<Impact> inSteps = new ArrayList<>();
     for (double time : ends) {
       inSteps.addAll(Run.finish(twin, time, Run.WORK));
     }

@@ -82,7 +82,7 @@ class UnfinishedTest {
     for (int k = 0; k < 20; k++) {
       Scene scene = (collide ? RandomScenes.crowd(random, 8) : RandomScenes.mixed(random)).build();
       World world = new World(scene);
-      List<Run.Row> rows = Run.finish(world, 12, Run.WORK);
+      List<Impact> rows = Run.finish(world, 12, Run.WORK);
       for (long work : new long[] {1, 2, 7, 100, Long.MAX_VALUE}) {
         World other = new World(scene);
         assertThat(Run.finish(other, 12, work)).hasSameElementsAs(rows).hasSameSizeAs(rows);
@@ -101,7 +101,7 @@ class UnfinishedTest {
       scene.circle(3 + 0.3 * i, 6 + 2 * i, 0.9, 0.1, 0).restitution(0.5);
     }
     World world = new World(scene.build());
-    List<Run.Row> rows = Run.finish(world, 6, Run.WORK);
+    List<Impact> rows = Run.finish(world, 6, Run.WORK);
     for (long work : new long[] {1, 10, 1_000}) {
       World other = new World(world.scene());
       assertThat(Run.finish(other, 6, work)).hasSameElementsAs(rows).hasSameSizeAs(rows);

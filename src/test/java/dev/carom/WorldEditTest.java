@@ -31,7 +31,7 @@ class WorldEditTest {
   private static List<Double> times(World world, Kind kind, double end) {
     return Run.advance(world, end).impacts().stream()
         .filter(row -> row.kind() == kind)
-        .map(Run.Row::time)
+        .map(Impact::time)
         .toList();
   }
 

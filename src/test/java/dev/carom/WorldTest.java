@@ -235,12 +235,12 @@ class WorldTest {
     }
     World world = world(builder);
     world.step(100);
-    List<Run.Row> rows = Run.rows(world.impacts());
+    List<Impact> rows = Run.rows(world.impacts());
     assertThat(rows).hasSize(100);
     int together = 0;
     for (int i = 1; i < rows.size(); i++) {
-      Run.Row before = rows.get(i - 1);
-      Run.Row row = rows.get(i);
+      Impact before = rows.get(i - 1);
+      Impact row = rows.get(i);
       assertThat(row.time()).isGreaterThanOrEqualTo(before.time());
       if (row.time() == before.time()) {
         assertThat(row.circle()).isGreaterThan(before.circle());
@@ -271,11 +271,11 @@ class WorldTest {
     for (EngineOptions options : List.of(EngineOptions.EACH, EngineOptions.cells(7))) {
       World world = new World(scene, options);
       world.advanceTo(2);
-      List<Run.Row> rows = Run.rows(world.impacts());
+      List<Impact> rows = Run.rows(world.impacts());
       assertThat(rows).allMatch(row -> row.time() == 2);
       assertThat(
               rows.stream()
-                  .map(row -> row.kind() + " " + row.obstacle())
+                  .map(row -> row.kind() + " " + row.id())
                   .collect(Collectors.joining(", ")))
           .isEqualTo(expected);
       assertMoves(world, 0, 1, 1);
@@ -326,7 +326,7 @@ class WorldTest {
     World world = world(Scene.builder().bounds(0, 0, 20, 10).circle(10, 5, 2, 8, 1));
     world.advanceTo(9);
     assertThat(Run.rows(world.impacts()))
-        .extracting(Run.Row::time, Run.Row::obstacle)
+        .extracting(Impact::time, Impact::id)
         .containsExactly(
             tuple(1.0, 1),
             tuple(3.0, 0),

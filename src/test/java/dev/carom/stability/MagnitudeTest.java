@@ -33,7 +33,7 @@ class MagnitudeTest {
     return Scene.builder().line(line.ax(), line.ay(), line.bx(), line.by());
   }
 
-  private static List<Run.Row> advance(World world, double t) {
+  private static List<Impact> advance(World world, double t) {
     world.advanceTo(t);
     return Run.rows(world.impacts());
   }
@@ -58,14 +58,14 @@ class MagnitudeTest {
     Line slope = new Line(-10 * size, -10 * size, 10 * size, 10 * size);
     World world = world(among(slope).circle(0, 5 * size, size, 0, -speed));
     double t = (5 - Math.sqrt(2)) * size / speed;
-    List<Run.Row> hits = advance(world, Math.min(2 * t, Double.MAX_VALUE));
+    List<Impact> hits = advance(world, Math.min(2 * t, Double.MAX_VALUE));
     if (t > Double.MAX_VALUE) {
       assertThat(hits).as("beyond the last finite time").isEmpty();
       return;
     }
     assertThat(hits).hasSize(1);
     assertThat(hits.get(0).time()).isCloseTo(t, within(1e-15 * t));
-    assertThat(hits.get(0).speed())
+    assertThat(hits.get(0).approachSpeed())
         .isCloseTo(speed * Math.sqrt(0.5), within(1e-15 * speed + 1e-323));
     assertThat(world.vx(0)).isCloseTo(-speed, within(1e-15 * speed + 1e-323));
     assertThat(world.vy(0)).isCloseTo(0, within(1e-15 * speed + 1e-323));
@@ -106,9 +106,9 @@ class MagnitudeTest {
     assertThat(most - -most).as("the naive relative speed").isInfinite();
 
     World world = world(Scene.builder().circle(0, 0, 1, most, 0).circle(4, 0, 1, -most, 0));
-    List<Run.Row> hits = advance(world, 1e-307);
+    List<Impact> hits = advance(world, 1e-307);
     assertThat(hits).hasSize(1);
-    assertThat(hits.get(0).speed()).as("as documented").isInfinite();
+    assertThat(hits.get(0).approachSpeed()).as("as documented").isInfinite();
     assertThat(world.vx(0)).isEqualTo(-most);
     assertThat(world.vx(1)).isEqualTo(most);
   }

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 package dev.carom.bench.fuzz;
 
+import dev.carom.Impact;
 import dev.carom.Kind;
 import dev.carom.Scene;
 import dev.carom.Snapshot;
@@ -36,18 +37,18 @@ final class OtherWays {
    * @param before the world before the step
    */
   void check(Snapshot before, World world) throws FindingException {
-    List<ImpactRow> rows = ImpactRow.of(world.impacts());
+    List<Impact> rows = rows(world);
     Snapshot after = world.snapshot();
     double[] cuts = cuts(before.now(), world.now(), rows);
     if (!sliced.snapshot().equals(before)) {
       sliced.restore(before);
     }
-    List<ImpactRow> seen = new ArrayList<>();
+    List<Impact> seen = new ArrayList<>();
     int middle = random.nextInt(cuts.length);
     for (int k = 0; k < cuts.length; k++) {
       if (k == middle) {
         restored.restore(sliced.snapshot());
-        List<ImpactRow> rest = play(restored, world.now());
+        List<Impact> rest = play(restored, world.now());
         same(
             "restored at " + sliced.now(),
             rows.subList(Math.min(seen.size(), rows.size()), rows.size()),
@@ -65,7 +66,7 @@ final class OtherWays {
   }
 
   /** Ends of parts of a step, some at impacts; the last one is the step's. */
-  private double[] cuts(double from, double to, List<ImpactRow> rows) {
+  private double[] cuts(double from, double to, List<Impact> rows) {
     double[] cuts = new double[1 + random.nextInt(MOST_CUTS)];
     for (int k = 0; k < cuts.length; k++) {
       cuts[k] =
@@ -78,13 +79,18 @@ final class OtherWays {
     return cuts;
   }
 
-  private static List<ImpactRow> play(World world, double end) {
+  private static List<Impact> play(World world, double end) {
     world.advanceTo(end);
-    return ImpactRow.of(world.impacts());
+    return rows(world);
   }
 
-  void checkAlone(int i, Snapshot before, World world, List<ImpactRow> rows)
-      throws FindingException {
+  static List<Impact> rows(World world) {
+    List<Impact> rows = new ArrayList<>();
+    world.impacts().forEach(rows::add);
+    return rows;
+  }
+
+  void checkAlone(int i, Snapshot before, World world, List<Impact> rows) throws FindingException {
     alone.restore(before);
     for (int id : alone.ids(Kind.CIRCLE)) {
       if (id != i) {
@@ -106,7 +112,7 @@ final class OtherWays {
     }
   }
 
-  private static void same(String way, List<ImpactRow> expected, List<ImpactRow> found)
+  private static void same(String way, List<Impact> expected, List<Impact> found)
       throws FindingException {
     int k = 0;
     while (k < Math.min(expected.size(), found.size()) && expected.get(k).equals(found.get(k))) {

@@ -9,20 +9,21 @@ import dev.carom.Scene;
 import dev.carom.Vec2;
 
 /** The circles of a method in double: a flat array for each of their numbers. */
-abstract class Circles implements Method {
+public abstract class Circles implements Method {
 
-  final int circles;
-  final double[] x;
-  final double[] y;
-  final double[] vx;
-  final double[] vy;
+  protected final int circles;
+  protected final double[] x;
+  protected final double[] y;
+  protected final double[] vx;
+  protected final double[] vy;
   final double[] radius;
   final double[] restitution;
 
   int impacts;
   int wallImpacts;
 
-  Circles(Scene scene) {
+  /** Copies the circles of a scene. */
+  protected Circles(Scene scene) {
     circles = scene.count(Kind.CIRCLE);
     x = new double[circles];
     y = new double[circles];

@@ -4,6 +4,7 @@ package dev.carom.bench.fuzz;
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.assertThatThrownBy;
 
+import dev.carom.Impact;
 import dev.carom.Kind;
 import dev.carom.Line;
 import dev.carom.Response;
@@ -335,8 +336,8 @@ class ChecksTest extends FlightChecks {
         .hasMessageContaining("circle 0 alone");
   }
 
-  private static List<ImpactRow> rows(World world, int circle) {
-    return ImpactRow.of(world.impacts()).stream().filter(row -> row.circle() == circle).toList();
+  private static List<Impact> rows(World world, int circle) {
+    return OtherWays.rows(world).stream().filter(row -> row.circle() == circle).toList();
   }
 
   @Test

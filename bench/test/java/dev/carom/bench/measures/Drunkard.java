@@ -1,39 +1,23 @@
 // SPDX-License-Identifier: Apache-2.0
 package dev.carom.bench.measures;
 
-import dev.carom.Circle;
-import dev.carom.Kind;
 import dev.carom.Scene;
+import dev.carom.bench.methods.Circles;
 import dev.carom.bench.methods.Contender;
-import dev.carom.bench.methods.Method;
 
 /**
  * A method with known faults: it meets nothing, goes astray by a step along +y in each frame, and
  * gains speed by a factor.
  */
-final class Drunkard implements Method {
+final class Drunkard extends Circles {
 
-  private final double[] x;
-  private final double[] y;
-  private final double[] vx;
-  private final double[] vy;
   private final double astray;
   private final double gain;
   private final int lastFrame;
   private int frame;
 
   private Drunkard(Scene scene, double astray, double gain, int lastFrame) {
-    int n = scene.count(Kind.CIRCLE);
-    x = new double[n];
-    y = new double[n];
-    vx = new double[n];
-    vy = new double[n];
-    for (int i = 0; i < n; i++) {
-      x[i] = ((Circle) scene.shape(Kind.CIRCLE, i)).x();
-      y[i] = ((Circle) scene.shape(Kind.CIRCLE, i)).y();
-      vx[i] = scene.velocity(Kind.CIRCLE, i).x();
-      vy[i] = scene.velocity(Kind.CIRCLE, i).y();
-    }
+    super(scene);
     this.astray = astray;
     this.gain = gain;
     this.lastFrame = lastFrame;
@@ -76,12 +60,17 @@ final class Drunkard implements Method {
     if (frame++ == lastFrame) {
       throw new IllegalStateException("it fell");
     }
-    for (int i = 0; i < x.length; i++) {
+    for (int i = 0; i < circles; i++) {
       x[i] += vx[i];
       y[i] += vy[i] + astray;
       vx[i] *= gain;
       vy[i] *= gain;
     }
+  }
+
+  @Override
+  public int impacts() {
+    return UNKNOWN;
   }
 
   @Override
@@ -97,25 +86,5 @@ final class Drunkard implements Method {
   @Override
   public long pairTests() {
     return frame;
-  }
-
-  @Override
-  public double x(int circle) {
-    return x[circle];
-  }
-
-  @Override
-  public double y(int circle) {
-    return y[circle];
-  }
-
-  @Override
-  public double vx(int circle) {
-    return vx[circle];
-  }
-
-  @Override
-  public double vy(int circle) {
-    return vy[circle];
   }
 }

@@ -3,6 +3,7 @@ package dev.carom.internal.engine;
 
 import static org.assertj.core.api.Assertions.assertThat;
 
+import dev.carom.Impact;
 import dev.carom.Internals;
 import dev.carom.Kind;
 import dev.carom.Response;
@@ -189,7 +190,7 @@ class CollidingEngineTest {
     }
     world.restore(jammed);
     world.step(1);
-    return Run.rows(world.impacts()).stream().map(Run.Row::kind).toList();
+    return Run.rows(world.impacts()).stream().map(Impact::kind).toList();
   }
 
   /** It is in no cell: an edit takes it out of none, and one that brings it back into one. */

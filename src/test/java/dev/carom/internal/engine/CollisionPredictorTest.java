@@ -4,6 +4,7 @@ package dev.carom.internal.engine;
 import static org.assertj.core.api.Assertions.assertThat;
 
 import dev.carom.BesidePlain;
+import dev.carom.Impact;
 import dev.carom.ImpactLog;
 import dev.carom.PlainWorld;
 import dev.carom.Run;
@@ -107,10 +108,10 @@ class CollisionPredictorTest {
     int impacts = 0;
     for (int i = 0; i < 2 * WORLDS; i++) {
       Scene scene = meetingThree();
-      List<Run.Row> plain = Run.rows(new PlainWorld(scene).advance(20, 50));
+      List<Impact> plain = Run.rows(new PlainWorld(scene).advance(20, 50));
       World world = new World(scene);
-      List<Run.Row> rows = new ArrayList<>();
-      for (Run.Row row : plain) {
+      List<Impact> rows = new ArrayList<>();
+      for (Impact row : plain) {
         world.advanceTo(row.time());
         rows.addAll(Run.rows(world.impacts()));
         assertThat(rows).as("world %s", i).contains(row);
