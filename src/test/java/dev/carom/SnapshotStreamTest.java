@@ -204,21 +204,6 @@ class SnapshotStreamTest {
         .contains("2 lines and pegs without a grid");
   }
 
-  @Test
-  void whatThingsDoIsKept() {
-    SceneBuilder builder = room().response(Response.HALT).line(10, 20, 30, 40).oneWay();
-    builder.peg(50, 50, 5).response(Response.SENSOR).circle(70, 70, 3, 1, -2);
-    World world = new World(builder.circle(20, 80, 3, 1, -2).response(Response.SENSOR).build());
-    world.remove(Kind.CIRCLE, 0);
-    World other = new World(world.scene());
-    other.restore(SnapshotBytes.copy(world.snapshot()));
-    assertThat(other.snapshot()).isEqualTo(world.snapshot());
-    assertThat(other.traits(Kind.WALL, 0).response()).isEqualTo(Response.HALT);
-    assertThat(other.traits(Kind.LINE, 0).oneWay()).isTrue();
-    assertThat(other.traits(Kind.PEG, 0).response()).isEqualTo(Response.SENSOR);
-    assertThat(other.traits(Kind.CIRCLE, 1).response()).isEqualTo(Response.SENSOR);
-  }
-
   /** Eight bytes for each thing of a kind, once one of them has a filter of its own. */
   @Test
   void filtersAreKept() {
@@ -452,24 +437,6 @@ class SnapshotStreamTest {
     assertRefused(bytes, message);
   }
 
-  @ParameterizedTest
-  @CsvSource(
-      delimiter = '|',
-      value = {
-        "12 | NaN | the velocity of an obstacle is NaN",
-        "20 | Infinity | the velocity of an obstacle is Infinity",
-        "36 | -Infinity | the velocity of an obstacle is -Infinity",
-        "44 | -1 | an obstacle moves since -1.0",
-        "44 | 41 | an obstacle moves since 41.0",
-        "52 | -1 | an obstacle moves until -1.0",
-        "52 | NaN | an obstacle moves until NaN",
-      })
-  void motionsThatMakeNoSenseAreRefused(int at, double number, String message) {
-    byte[] bytes = small(0.125);
-    ByteBuffer.wrap(bytes).putDouble(MOTIONS + at, number);
-    assertRefused(bytes, message);
-  }
-
   /** The velocity of each end, and the end of the motion. */
   @Test
   void aMotionIsKeptAsAWhole() throws IOException {
@@ -492,48 +459,52 @@ class SnapshotStreamTest {
     return SnapshotBytes.of(world.snapshot());
   }
 
-  @ParameterizedTest
-  @CsvSource(
-      delimiter = '|',
-      value = {
-        FALLS + " | NaN | gx is NaN",
-        (FALLS + 8) + " | Infinity | gy is Infinity",
-        (FALLS + 24) + " | Infinity | gx is Infinity",
-        GRAVITY + " | NaN | gx is NaN",
-        (GRAVITY + 8) + " | -Infinity | gy is -Infinity",
-        FLIGHT + " | NaN | a number of a circle is NaN",
-        (FLIGHT + 8) + " | NaN | a number of a circle is NaN",
-        (FLIGHT + 72) + " | NaN | a number of a circle is NaN",
-        (FLIGHT + 80) + " | NaN | a number of a circle is NaN",
-        (FLIGHT + 48) + " | Infinity | radius is Infinity",
-        (FLIGHT + 48) + " | -0.0 | radius is -0.0",
-      })
-  void numbersOfFallingCirclesThatMakeNoSenseAreRefused(int at, double number, String message) {
-    byte[] bytes = falling();
-    ByteBuffer.wrap(bytes).putDouble(at, number);
-    assertRefused(bytes, message);
-  }
-
   /** A circle is carried by a wall, a line or a peg, and leaves the top of a line. */
   @ParameterizedTest
   @CsvSource(
       delimiter = '|',
       value = {
-        "16 | 6 | code 5 does not exist",
-        "16 | 536870913 | code 536870912 does not exist",
-        "16 | -6 | code 5 does not exist",
+        "MOVES | 12 | NaN | the velocity of an obstacle is NaN",
+        "MOVES | 20 | Infinity | the velocity of an obstacle is Infinity",
+        "MOVES | 36 | -Infinity | the velocity of an obstacle is -Infinity",
+        "MOVES | 44 | -1 | an obstacle moves since -1.0",
+        "MOVES | 44 | 41 | an obstacle moves since 41.0",
+        "MOVES | 52 | -1 | an obstacle moves until -1.0",
+        "MOVES | 52 | NaN | an obstacle moves until NaN",
+        "FLIGHT | 0 | NaN | a number of a circle is NaN",
+        "FLIGHT | 8 | NaN | a number of a circle is NaN",
+        "FLIGHT | 72 | NaN | a number of a circle is NaN",
+        "FLIGHT | 80 | NaN | a number of a circle is NaN",
+        "FLIGHT | 48 | Infinity | radius is Infinity",
+        "FLIGHT | 48 | -0.0 | radius is -0.0",
+        "FALLS | 0 | NaN | gx is NaN",
+        "FALLS | 8 | Infinity | gy is Infinity",
+        "FALLS | 24 | Infinity | gx is Infinity",
+        "FALLS | 16 | 6 | code 5 does not exist",
+        "FALLS | 16 | 536870913 | code 536870912 does not exist",
+        "FALLS | 16 | -6 | code 5 does not exist",
+        "GRAVITY | 0 | NaN | gx is NaN",
+        "GRAVITY | 8 | -Infinity | gy is -Infinity",
       })
-  void supportsThatMakeNoSenseAreRefused(int at, int number, String message) {
-    byte[] bytes = falling();
-    ByteBuffer.wrap(bytes).putDouble(FALLS + at, number);
+  void numbersOfWhatMovesOrFallsThatMakeNoSenseAreRefused(
+      String place, int at, double number, String message) {
+    byte[] bytes = place.equals("MOVES") ? small(0.125) : falling();
+    int start =
+        switch (place) {
+          case "MOVES" -> MOTIONS;
+          case "FLIGHT" -> FLIGHT;
+          case "FALLS" -> FALLS;
+          default -> GRAVITY;
+        };
+    ByteBuffer.wrap(bytes).putDouble(start + at, number);
     assertRefused(bytes, message);
   }
 
   @ParameterizedTest
-  @CsvSource({"16, 0", "16, 1", "16, 4", "16, 5", "16, 268435457", "16, -5", "16, -4"})
-  void supportsAtTheirLimitsAreTaken(int at, int number) throws IOException {
+  @ValueSource(doubles = {0, 1, 4, 5, 268435457, -5, -4})
+  void supportsAtTheirLimitsAreTaken(double number) throws IOException {
     byte[] bytes = falling();
-    ByteBuffer.wrap(bytes).putDouble(FALLS + at, number);
+    ByteBuffer.wrap(bytes).putDouble(FALLS + 16, number);
     seal(bytes);
     assertThat(SnapshotBytes.of(read(bytes))).isEqualTo(bytes);
   }
