@@ -132,20 +132,37 @@ class SceneFormatExceptionTest {
 
   @ParameterizedTest
   @CsvSource(
-      delimiter = '|',
+      delimiter = '~',
+      quoteCharacter = '`',
       value = {
-        "wall,5,0,5,1 | 10 | xmax is 5.0: expected more than xmin, 5.0",
-        "wall,0,5,1,4 | 12 | ymax is 4.0: expected more than ymin, 5.0",
-        "peg,1,2,-3 | 9 | radius is -3.0: expected a finite number, at least 0",
-        "circle,1,2,-3,4,5 | 12 | radius is -3.0: expected a finite number, at least 0",
-        "circle,1,2,3,4,5,0 | 18 | mass is 0.0: expected a number from 2^-500 to 2^500, or"
+        "wall,5,0,5,1 ~ 10 ~ xmax is 5.0: expected more than xmin, 5.0",
+        "wall,0,5,1,4 ~ 12 ~ ymax is 4.0: expected more than ymin, 5.0",
+        "peg,1,2,-3 ~ 9 ~ radius is -3.0: expected a finite number, at least 0",
+        "circle,1,2,-3,4,5 ~ 12 ~ radius is -3.0: expected a finite number, at least 0",
+        "circle,1,2,3,4,5,0 ~ 18 ~ mass is 0.0: expected a number from 2^-500 to 2^500, or"
             + " infinity",
-        "line,1,2,3,4,response=halt,restitution=-1 | 28"
-            + " | restitution is -1.0: expected a finite number, at least 0",
-        "line,1,2,3,4, restitution=-1 | 15"
-            + " | restitution is -1.0: expected a finite number, at least 0",
+        "line,1,2,3,4,response=halt,restitution=-1 ~ 28"
+            + " ~ restitution is -1.0: expected a finite number, at least 0",
+        "line,1,2,3,4, restitution=-1 ~ 15"
+            + " ~ restitution is -1.0: expected a finite number, at least 0",
+        "line,1,2,3,4,response=Halt ~ 14 ~ response is \"Halt\": expected bounce, halt or sensor",
+        "line,1,2,3,4,response=halt,response=halt ~ 28 ~ response is given twice: expected once",
+        "line,1,2,3,4,restitution=1,restitution=1 ~ 28"
+            + " ~ restitution is given twice: expected once",
+        "line,1,2,3,4,oneway=yes ~ 14 ~ oneway is \"yes\": expected 0 or 1",
+        "wall,0,0,9,9,response=sensor ~ 14"
+            + " ~ response is sensor: expected bounce or halt: bounds keep circles inside",
+        "line,1,2,3,4,restitution=1,5 ~ 28 ~ \"5\" is out of place: expected key=value",
+        "line,1,2,3,4,restitution=1, ~ 28 ~ \"\" is out of place: expected key=value",
+        "collide,0,restitution=1 ~ 11 ~ \"restitution=1\" is out of place: expected no more",
+        "gravity,0,1,mask=1 ~ 13 ~ \"mask=1\" is out of place: expected no more",
+        "collide ~ 8 ~ 0|1 is missing: expected collide,0|1",
+        "collide,0,0 ~ 11 ~ \"0\" is one field too many: expected collide,0|1",
+        "collide,2 ~ 9 ~ collide is \"2\": expected 0 or 1",
+        "collide,yes ~ 9 ~ collide is \"yes\": expected 0 or 1",
+        "collide,0.0 ~ 9 ~ collide is \"0.0\": expected 0 or 1",
       })
-  void outOfRange(String row, int column, String reason) {
+  void outOfRangeOrPlace(String row, int column, String reason) {
     assertRefused(row, column, reason);
   }
 
@@ -163,42 +180,6 @@ class SceneFormatExceptionTest {
     String keys = "restitution=NUMBER, response=WORD, category=INTEGER, mask=INTEGER, vx=NUMBER";
     keys += row.startsWith("line") ? ", vy=NUMBER or oneway=0|1" : " or vy=NUMBER";
     assertRefused(row, column, "key \"" + key + "\" is unknown: expected " + keys);
-  }
-
-  @ParameterizedTest
-  @CsvSource(
-      delimiter = '|',
-      value = {
-        "line,1,2,3,4,response=Halt | 14 | response is \"Halt\": expected bounce, halt or sensor",
-        "line,1,2,3,4,response=halt,response=halt | 28 | response is given twice: expected once",
-        "line,1,2,3,4,oneway=yes | 14 | oneway is \"yes\": expected 0 or 1",
-        "wall,0,0,9,9,response=sensor | 14"
-            + " | response is sensor: expected bounce or halt: bounds keep circles inside",
-      })
-  void responses(String row, int column, String reason) {
-    assertRefused(row, column, reason);
-  }
-
-  @Test
-  void fieldsAfterTheFirstKeyAreKeysAndEachStandsOnce() {
-    assertRefused(
-        "line,1,2,3,4,restitution=1,restitution=1",
-        28,
-        "restitution is given twice: expected once");
-    assertRefused("line,1,2,3,4,restitution=1,5", 28, "\"5\" is out of place: expected key=value");
-    assertRefused("line,1,2,3,4,restitution=1,", 28, "\"\" is out of place: expected key=value");
-    assertRefused(
-        "collide,0,restitution=1", 11, "\"restitution=1\" is out of place: expected no more");
-    assertRefused("gravity,0,1,mask=1", 13, "\"mask=1\" is out of place: expected no more");
-  }
-
-  @Test
-  void circlesThatCollide() {
-    assertRefused("collide", 8, "0|1 is missing: expected collide,0|1");
-    assertRefused("collide,0,0", 11, "\"0\" is one field too many: expected collide,0|1");
-    assertRefused("collide,2", 9, "collide is \"2\": expected 0 or 1");
-    assertRefused("collide,yes", 9, "collide is \"yes\": expected 0 or 1");
-    assertRefused("collide,0.0", 9, "collide is \"0.0\": expected 0 or 1");
   }
 
   @Test
