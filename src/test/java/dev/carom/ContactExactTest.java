@@ -7,7 +7,6 @@ import static org.assertj.core.api.Assertions.within;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
-import org.junit.jupiter.params.provider.ValueSource;
 
 /** Motions with contacts under gravity of which a formula, or a plain sum, tells the right end. */
 class ContactExactTest {
@@ -19,23 +18,6 @@ class ContactExactTest {
 
   private static SceneBuilder falling() {
     return Scene.builder().gravity(0, -G);
-  }
-
-  /**
-   * From rest at height h to the floor in t1 = sqrt(2 h / g); each bounce takes e times the time of
-   * the one before, so all end at t1 (1 + e) / (1 - e).
-   */
-  @ParameterizedTest
-  @ValueSource(doubles = {0.1, 0.3, 0.5, 0.9, 0.99})
-  void bouncesEndWhenTheirSumSays(double e) {
-    SceneBuilder scene = falling().line(-50, 0, 50, 0);
-    World world = new World(scene.circle(0, 110, 10, 0, 0).restitution(e).build());
-    double rest = Math.sqrt(2 * 100 / G) * (1 + e) / (1 - e);
-    world.advanceTo(rest * (1 - 1e-6));
-    assertThat(world.isResting(0)).isFalse();
-    world.advanceTo(rest * (1 + 1e-6));
-    assertThat(world.isResting(0)).isTrue();
-    assertThat(world.y(0)).as("no hovering").isCloseTo(10, within(1e-12));
   }
 
   /**

@@ -30,42 +30,20 @@ final class Falling {
     return rows;
   }
 
-  /**
-   * By how much circles overlap lines, pegs, bounds and, if they collide, each other; 0 if none.
-   */
+  /** How far a circle must go at most to get out of a line, a peg, the bounds or a circle. */
   static double overlap(World world) {
-    Scene scene = world.scene();
     double most = 0;
-    for (int i = 0; i < world.count(Kind.CIRCLE); i++) {
-      Vec2 p = new Vec2(world.x(i), world.y(i));
-      double r = ((Circle) scene.shape(Kind.CIRCLE, i)).radius();
-      for (int k = 0; k < scene.count(Kind.LINE); k++) {
-        most = Math.max(most, r - distance((Line) scene.shape(Kind.LINE, k), p));
+    for (int id : world.ids(Kind.CIRCLE)) {
+      Circle circle = (Circle) world.shape(Kind.CIRCLE, id);
+      for (Kind kind : Kind.values()) {
+        for (int other : world.overlapping(kind, circle)) {
+          if (kind != Kind.CIRCLE || (other < id && world.scene().collide())) {
+            Obstacle shape = world.shape(kind, other);
+            most = Math.max(most, circle.separation(shape).length());
+          }
+        }
       }
-      for (int k = 0; k < scene.count(Kind.PEG); k++) {
-        Circle peg = (Circle) scene.shape(Kind.PEG, k);
-        most = Math.max(most, r + peg.radius() - Math.hypot(peg.x() - p.x(), peg.y() - p.y()));
-      }
-      for (int j = 0; j < i && scene.collide(); j++) {
-        double distance = Math.hypot(world.x(j) - p.x(), world.y(j) - p.y());
-        most = Math.max(most, r + ((Circle) scene.shape(Kind.CIRCLE, j)).radius() - distance);
-      }
-      most = Math.max(most, scene.bounds().map(b -> beyond(b, p, r)).orElse(0.0));
     }
     return most;
-  }
-
-  private static double beyond(Bounds b, Vec2 p, double r) {
-    double x = Math.max(b.xmin() + r - p.x(), p.x() + r - b.xmax());
-    double y = Math.max(b.ymin() + r - p.y(), p.y() + r - b.ymax());
-    return Math.max(x, y);
-  }
-
-  private static double distance(Line line, Vec2 p) {
-    double wx = line.bx() - line.ax();
-    double wy = line.by() - line.ay();
-    double s = ((p.x() - line.ax()) * wx + (p.y() - line.ay()) * wy) / (wx * wx + wy * wy);
-    double t = Math.max(0, Math.min(1, s));
-    return Math.hypot(p.x() - line.ax() - t * wx, p.y() - line.ay() - t * wy);
   }
 }

@@ -193,18 +193,6 @@ class TimelineTest {
 
   // Lines and pegs.
 
-  /** Else new flights would push out the old ones. */
-  @Test
-  void whatIsNoLongerRecordedStaysAsItIs() {
-    World world = new World(Scene.builder().bounds(0, 0, 10, 10).circle(5, 5, 1, 3, 0).build());
-    Timeline timeline = world.record(2);
-    world.step(0.5);
-    timeline.stop();
-    world.step(100);
-    assertThat(timeline.start()).isZero();
-    assertThat(timeline.x(0, 0.5)).isEqualTo(6.5);
-  }
-
   /** An id is that of a line, or of a peg, however large it is. */
   @Test
   void idsThatNoneHasAreThoseOfNothing() {
