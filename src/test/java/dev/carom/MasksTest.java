@@ -19,7 +19,6 @@ class MasksTest {
   private static final int A = 2;
   private static final int B = 4;
   private static final int BOTH = A | B;
-  private static final double NEVER = Double.POSITIVE_INFINITY;
 
   // Walls.
 
