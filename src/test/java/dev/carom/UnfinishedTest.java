@@ -109,6 +109,32 @@ class UnfinishedTest {
     }
   }
 
+  /** There are many circles, so that the budget of each is small. */
+  @Test
+  void anUnfinishedStepReportsItsOwnImpactsOnly() {
+    SceneBuilder scene = Scene.builder().collide(false).bounds(0, 0, 10, 10).circle(5, 5, 1, 0, 8);
+    for (int i = 0; i < 400; i++) {
+      scene.circle(5, 5, 1, i == 0 ? 1 : 0, 0);
+    }
+    World world = new World(scene.build());
+    world.step(1);
+    world.setVelocity(1, 1e150, 0);
+    assertThat(world.advanceTo(2, Run.work(world, 20))).isFalse();
+    assertThat(world.impacts()).isNotEmpty().allMatch(impact -> impact.time() >= 1);
+    assertThat(world.y(0)).isBetween(1.0, 9.0);
+    world.setVelocity(1, 0, 0);
+    World other = new World(world.scene());
+    other.advanceTo(world.now());
+    world.advanceTo(20);
+    other.advanceTo(20);
+    assertThat(ofTheFirst(world)).hasSizeGreaterThan(10).isEqualTo(ofTheFirst(other));
+    assertThat(world.y(0)).as("the others go on as they would").isEqualTo(other.y(0));
+  }
+
+  private static List<Impact> ofTheFirst(World world) {
+    return Run.rows(world.impacts()).stream().filter(row -> row.circle() == 0).toList();
+  }
+
   @ParameterizedTest
   @ValueSource(longs = {0, -1, Long.MIN_VALUE})
   void lessThanOneIsNoWork(long work) {

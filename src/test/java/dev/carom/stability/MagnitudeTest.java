@@ -71,6 +71,16 @@ class MagnitudeTest {
     assertThat(world.vy(0)).isCloseTo(0, within(1e-15 * speed + 1e-323));
   }
 
+  @ParameterizedTest
+  @CsvSource({"1, 1e-300", "1, 1e150", "1e150, 1e150", "1e-150, 1e-150", "1e-290, 1", "1e300, 1e7"})
+  void aPegSendsBack(double size, double speed) {
+    World world = world(Scene.builder().peg(0, 0, size).circle(5 * size, 0, size, -speed, 0));
+    List<Impact> hits = advance(world, 6 * (size / speed));
+    assertThat(hits).hasSize(1);
+    assertThat(hits.get(0).time()).isCloseTo(3 * (size / speed), within(1e-15 * (size / speed)));
+    assertThat(world.vx(0)).isEqualTo(speed);
+  }
+
   /** Textbook impulses divide by d.d, which is 0 or infinite for half of these. */
   @ParameterizedTest
   @CsvSource({"1, 1e-300", "1, 1e150", "1e200, 1e200", "1e-200, 1e-200", "1e-290, 1", "1e300, 1e7"})
