@@ -235,7 +235,11 @@ abstract class PlainEdits extends PlainSearch {
       case WALL -> obstacles.setRestitution(id, e);
       case CIRCLE -> bodies.get(id).restitution = e;
     }
-    noteContact(code);
+    if (kind == Kind.WALL) {
+      noteWalls();
+    } else {
+      noteContact(code);
+    }
   }
 
   void setResponse(Kind kind, int id, Response response) {
@@ -248,7 +252,7 @@ abstract class PlainEdits extends PlainSearch {
         int traits = ContactFlags.with(obstacles.boundsTraits, response.ordinal());
         if (traits != obstacles.boundsTraits) {
           obstacles.setTraits(id, traits);
-          noteContact(id);
+          noteWalls();
         }
       }
       case CIRCLE -> {
@@ -297,6 +301,9 @@ abstract class PlainEdits extends PlainSearch {
   }
 
   private void setFilterOfWalls(long filter) {
+    if (filter == obstacles.filter(Codes.LEFT)) {
+      return; // no edit
+    }
     for (MovingCircle m : bodies) {
       boolean was = meets(m.id, obstacles.filter(Codes.LEFT));
       if (registry.contains(m.id) && was != meets(m.id, filter)) {
@@ -304,7 +311,14 @@ abstract class PlainEdits extends PlainSearch {
       }
     }
     obstacles.setFilter(Codes.LEFT, filter);
-    noteContact(Codes.LEFT);
+    noteWalls();
+  }
+
+  /** The walls have their traits together. */
+  private void noteWalls() {
+    for (int wall = 0; wall < Codes.WALLS; wall++) {
+      noteContact(wall);
+    }
   }
 
   /** Flights that would meet a thing that was not there begin anew. */

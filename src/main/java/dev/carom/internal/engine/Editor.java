@@ -19,6 +19,7 @@ import dev.carom.internal.util.KindNumber;
 import dev.carom.internal.util.Refusal;
 import java.util.ArrayList;
 import java.util.List;
+import java.util.stream.IntStream;
 
 /**
  * Edits a world between steps. All arguments are checked before anything changes, so a refused edit
@@ -478,9 +479,14 @@ public final class Editor {
     }
   }
 
+  /** Walls have their traits together. */
   private void setTraitsOfObstacle(int code, TraitValues traits, double now) {
+    int[] all =
+        (Codes.isWall(code) ? IntStream.range(0, Codes.WALLS) : obstacles.codesOf(code)).toArray();
     if (traits.restitution() != obstacles.givenRestitution(code)) {
-      obstacles.codesOf(code).forEach(each -> setRestitution(each, traits.restitution(), now));
+      for (int each : all) {
+        setRestitution(each, traits.restitution(), now);
+      }
     }
     long before = obstacles.filter(code);
     if (traits.filter() == before && traits.areFlagsOf(obstacles, code)) {
@@ -489,10 +495,14 @@ public final class Editor {
     if (Codes.isWall(code)) {
       List<MovingCircle> changed = restartedAtWalls(before, traits.filter(), now);
       traits.set(obstacles, code);
-      engine.noteContact(code, now);
+      for (int each : all) {
+        engine.noteContact(each, now);
+      }
       changed.forEach(engine::beginFlight);
     } else {
-      obstacles.codesOf(code).forEach(engine::forget);
+      for (int each : all) {
+        engine.forget(each);
+      }
       added(code, traits, now);
     }
   }
