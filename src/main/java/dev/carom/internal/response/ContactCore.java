@@ -45,6 +45,8 @@ public final class ContactCore {
   private final IntList near = new IntList();
   private final int[] bearing;
   private final int[] only;
+  private final Groups crowds;
+  private final boolean[] isHeld;
   private final double gx;
   private final double gy;
   private final double g;
@@ -97,6 +99,8 @@ public final class ContactCore {
     bearing = new int[room];
     rows = new double[room][];
     only = new int[room];
+    crowds = new Groups(room);
+    isHeld = new boolean[room];
   }
 
   // Questions.
@@ -249,7 +253,7 @@ public final class ContactCore {
   private void look(double now) {
     if (parts.isStale()) {
       parts.update();
-      graph.isValid = false;
+      graph.forget();
     }
     parts.moveTo(now);
     if (isRestored) {
@@ -430,15 +434,18 @@ public final class ContactCore {
 
   /**
    * Frees circles that nothing holds: without contacts, or with one flat side only. A contact holds
-   * if it bore in the last solve, and circles stay for the tick in which they joined.
+   * if it bore in the last solve, and circles stay for the tick in which they joined. Without
+   * contacts they stay in a crowd that something holds: there they would soon join again.
    */
   private boolean leave(double now) {
     countBearings();
+    findCrowds();
     boolean any = false;
     double passed = now - momentTime;
     for (int k = 0; k < graph.awake; k++) {
       int i = graph.order[k];
-      boolean stays = members.fresh[i] || bearing[i] > 1;
+      boolean isInCrowd = bearing[i] == 0 && isHeld[crowds.of(k)];
+      boolean stays = members.fresh[i] || bearing[i] > 1 || isInCrowd;
       members.fresh[i] = false;
       if (stays) {
         continue;
@@ -475,6 +482,32 @@ public final class ContactCore {
           only[p.other[k]] = k;
         }
       }
+    }
+  }
+
+  /**
+   * Finds crowds: circles that could reach each other in a tick, if a steady push turned them; and
+   * which of these are held.
+   */
+  private void findCrowds() {
+    NearPairs p = graph.pairs;
+    crowds.clear(graph.awake);
+    for (int k = 0; k < graph.awake; k++) {
+      isHeld[k] = bearing[graph.order[k]] > 0;
+    }
+    double push = ContactLaw.STEADY * g * clock.tau;
+    for (int k = 0; k < p.size; k++) {
+      if (p.part[k] < 0 && p.gap[k] < (p.speed(momenta.v, k) + push) * clock.tau) {
+        int i = graph.rank[p.owner[k]];
+        if (members.isAwake(p.other[k])) {
+          crowds.join(graph.rank[p.other[k]], i);
+        } else {
+          isHeld[i] = true;
+        }
+      }
+    }
+    for (int k = 0; k < graph.awake; k++) {
+      isHeld[crowds.of(k)] |= isHeld[k];
     }
   }
 
@@ -663,7 +696,7 @@ public final class ContactCore {
 
   /** Notes that properties of members changed. */
   public void changed() {
-    graph.isValid = false;
+    graph.forget();
   }
 
   /** Notes that any obstacle may have changed. */
@@ -783,13 +816,14 @@ public final class ContactCore {
     members.load[i] = f.number(members.load[i]);
     boolean lost = f.number(timesLost(i)) != 0;
     f.number(rank);
-    boolean listed = awake && (f.reads() || (graph.isValid && !parts.isStale()));
+    boolean isKnown = !parts.isStale();
+    boolean listed = awake && (f.reads() || (isKnown && graph.margin[i] > 0));
     graph.listX[i] = f.number(listed, graph.listX[i]);
     graph.listY[i] = f.number(listed, graph.listY[i]);
     graph.margin[i] = f.number(listed, graph.margin[i]);
-    graph.listTime = f.number(listed, graph.listTime);
+    graph.listTime[i] = f.number(listed, graph.listTime[i]);
     graph.fastest = f.number(listed, graph.fastest);
-    boolean isGood = f.number(listed, 1) != 0;
+    boolean isGood = f.number(awake, isKnown && graph.isValid ? 1 : 0) != 0;
     newcomers.longest = f.number(ticks, newcomers.longest);
     members.rise[i] = f.number(members.rise[i]);
     cuts = (int) f.number(ticks, cuts);
@@ -842,7 +876,7 @@ public final class ContactCore {
     if (parts.isStale()) {
       parts.update();
     }
-    isRestored = graph.isValid;
+    isRestored = true;
     if (nextTick() < now || (graph.awake > 0 && clock.tau == 0)) {
       restart(now);
     }

@@ -11,8 +11,8 @@ import java.util.Arrays;
  * an obstacle. The order is height against gravity, for places and numbers alone break mirror
  * images.
  *
- * <p>The list has a margin for each circle, within which it may move until the list is made anew.
- * Pairs keep their impulses then.
+ * <p>The list has a margin for each circle, within which it may move. Only who left it, or is new,
+ * is listed anew. Pairs keep their impulses then.
  */
 final class ContactGraph {
 
@@ -30,11 +30,17 @@ final class ContactGraph {
   final int[] rank;
   private final double[] height;
 
-  // Where each circle was when it was listed, and how far it may be from there.
+  // Where and when each circle was listed, and how far it may be from there; 0 if it is not.
   final double[] listX;
   final double[] listY;
   final double[] margin;
-  double listTime;
+  final double[] listTime;
+
+  /** No margin is wider. */
+  private double widest;
+
+  /** The awake circles that are listed anew. */
+  private final boolean[] isNew;
 
   /** What is fixed is no faster than this. */
   double fastest;
@@ -73,11 +79,19 @@ final class ContactGraph {
     listX = new double[n];
     listY = new double[n];
     margin = new double[n];
+    listTime = new double[n];
+    isNew = new boolean[n];
     oldRank = new int[n];
     fill = new int[n + 1];
     pairs = new NearPairs(n);
     old = new NearPairs(n);
     Arrays.fill(rank, Index.NONE);
+  }
+
+  /** Lets all circles be listed anew. */
+  void forget() {
+    isValid = false;
+    Arrays.fill(margin, 0);
   }
 
   /** Forgets all circles and pairs. */
@@ -145,6 +159,7 @@ final class ContactGraph {
         boolean isPart = pairs.other[k] == members.count;
         int part = isPart ? parts.ofKey(pairs.key[k], now) : Index.NONE;
         if (isPart && part < 0) {
+          margin[i] = 0;
           isValid = false;
         } else {
           describe(k, i, isPart ? ~part : pairs.other[k]);
@@ -165,7 +180,7 @@ final class ContactGraph {
   private boolean covers(int i, double[] q, double now, double time) {
     double dx = members.x[i] - listX[i];
     double dy = members.y[i] - listY[i];
-    double room = margin[i] - path(q, i, time) - fastest * (now - listTime + time);
+    double room = margin[i] - path(q, i, time) - fastest * (now - listTime[i] + time);
     return room >= 0 && dx * dx + dy * dy <= room * room;
   }
 
@@ -173,20 +188,24 @@ final class ContactGraph {
     return Math.sqrt(q[2 * i] * q[2 * i] + q[2 * i + 1] * q[2 * i + 1]) * time;
   }
 
-  /** Makes the list anew, for flights of about the velocities q in a time. */
+  /** Makes the list complete, for flights of about the velocities q in a time. */
   void list(double[] q, double now, double time) {
     fastest = parts.fastest();
     keepOld();
     dropOthers();
     sort();
-    listTime = now;
+    widest = 0;
     for (int k = 0; k < awake; k++) {
       int i = order[k];
-      double r = members.radius[i];
-      double way = path(q, i, time) + fastest * time;
-      margin[i] = ContactLaw.MARGIN * r + 2 * way + slack;
-      listX[i] = members.x[i];
-      listY[i] = members.y[i];
+      isNew[i] = margin[i] == 0 || !covers(i, q, now, time);
+      if (isNew[i]) {
+        double way = path(q, i, time) + fastest * time;
+        margin[i] = ContactLaw.MARGIN * members.radius[i] + 2 * way + slack;
+        listX[i] = members.x[i];
+        listY[i] = members.y[i];
+        listTime[i] = now;
+      }
+      widest = Math.max(widest, margin[i]);
     }
     collect(now);
     arrange();
@@ -250,45 +269,68 @@ final class ContactGraph {
 
   private void collect(double now) {
     raw.clear();
+    for (int k = 0; k < old.size; k++) {
+      keep(old.owner[k], old.part[k] < 0 ? old.other[k] : ~old.part[k]);
+    }
     for (int k = 0; k < awake; k++) {
       int i = order[k];
-      near.clear();
-      host.membersNear(i, members.x[i], members.y[i], 2 * margin[i], near);
-      for (int c = 0; c < near.size(); c++) {
-        collect(i, near.get(c), now);
-      }
-      near.clear();
-      parts.near(members, i, host, margin[i], now, near);
-      for (int c = 0; c < near.size(); c++) {
-        raw.add(i);
-        raw.add(~near.get(c));
+      if (isNew[i]) {
+        near.clear();
+        // The other one may be a margin from where it was listed.
+        host.membersNear(i, members.x[i], members.y[i], margin[i] + 2 * widest, near);
+        for (int c = 0; c < near.size(); c++) {
+          collect(i, near.get(c), now);
+        }
+        near.clear();
+        parts.near(members, i, host, margin[i], now, near);
+        for (int c = 0; c < near.size(); c++) {
+          raw.add(i);
+          raw.add(~near.get(c));
+        }
       }
     }
   }
 
-  /** Of two awake circles that with the smaller margin finds the pair, too late: the other does. */
+  /** Takes over a pair of a circle and another one, or the complement of a part. */
+  private void keep(int i, int o) {
+    boolean isFirst = isListed(i);
+    boolean isSecond = o >= 0 && isListed(o);
+    boolean isOther = isSecond || o < 0 || members.isFrozen(o);
+    if (isFirst && isOther) {
+      add(i, o);
+    } else if (isSecond && members.isFrozen(i)) {
+      add(o, i);
+    }
+  }
+
+  private boolean isListed(int i) {
+    return members.isAwake(i) && !isNew[i];
+  }
+
+  /** Of two circles that are listed anew the one with the smaller slot finds the pair. */
   private void collect(int i, int j, double now) {
     if (members.isFrozen(j)) {
       members.moveTo(j, now);
-      if (isCloser(i, j, margin[i])) {
-        raw.add(i);
-        raw.add(j);
+      if (isCloser(i, members.x[j], members.y[j], members.radius[j] + margin[i])) {
+        add(i, j);
       }
-    } else if (findsFirst(i, j) && isCloser(i, j, margin[i] + margin[j])) {
-      boolean later = rank[i] > rank[j];
-      raw.add(later ? i : j);
-      raw.add(later ? j : i);
+    } else if (!(isNew[j] && j < i)
+        && isCloser(i, listX[j], listY[j], members.radius[j] + margin[i] + margin[j])) {
+      add(i, j);
     }
   }
 
-  private boolean findsFirst(int i, int j) {
-    return margin[j] < margin[i] || (margin[j] == margin[i] && j < i);
+  /** Adds a pair; of two awake circles it belongs to the later one. */
+  private void add(int i, int o) {
+    boolean turns = o >= 0 && members.isAwake(o) && rank[o] > rank[i];
+    raw.add(turns ? o : i);
+    raw.add(turns ? i : o);
   }
 
-  private boolean isCloser(int i, int j, double reach) {
-    double d = members.radius[i] + members.radius[j] + reach;
-    double dx = members.x[i] - members.x[j];
-    double dy = members.y[i] - members.y[j];
+  private boolean isCloser(int i, double x, double y, double reach) {
+    double d = members.radius[i] + reach;
+    double dx = members.x[i] - x;
+    double dy = members.y[i] - y;
     return dx * dx + dy * dy <= d * d;
   }
 

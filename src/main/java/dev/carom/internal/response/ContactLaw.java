@@ -48,6 +48,14 @@ final class ContactLaw {
    */
   static final double RESIDUAL = 1e-3;
 
+  /**
+   * In m (g tau)^2 for each circle: a solve that adds more energy goes on, as long again, so many
+   * times at most. Without {@code ContactExtremesTest.fullRows} fails.
+   */
+  static final double LIFT = 4 * RESIDUAL;
+
+  static final int ROUNDS = 2;
+
   /** In kicks: a change of momentum is an acceleration up to here, and beyond a hit. */
   static final double STEADY = SLOW / 2;
 

@@ -151,8 +151,7 @@ final class Momenta {
   private double bounce(int c, int k, double q, double h) {
     NearPairs p = graph.pairs;
     double pull = -pull(p.owner[k], k) + pull(p.other[k], k);
-    double kick = kick(p.owner[k], k) - kick(p.other[k], k);
-    double approach = Math.max(0, -q + kick + pull * h);
+    double approach = Math.max(0, -q + relativeKick(k) + pull * h);
     double moment = approach > 0 ? Math.min(h, Math.max(0, p.gap[k]) / approach) : h;
     double speed = Math.max(0, approach - pull * (h / 2 - moment));
     double rest = h - moment;
@@ -166,9 +165,10 @@ final class Momenta {
     return weight[i] > 0 ? members.ax[i] * p.nx[k] + members.ay[i] * p.ny[k] : 0;
   }
 
-  private double kick(int i, int k) {
+  /** The kick along the normal of a pair: alike for two awake circles. */
+  private double relativeKick(int k) {
     NearPairs p = graph.pairs;
-    return weight[i] > 0 ? kickX * p.nx[k] + kickY * p.ny[k] : 0;
+    return weight[p.other[k]] > 0 ? 0 : kickX * p.nx[k] + kickY * p.ny[k];
   }
 
   private void solve(double kick) {
@@ -176,6 +176,9 @@ final class Momenta {
     int most = count == 0 ? 0 : Math.max(ContactLaw.SWEEPS, ContactLaw.WORK / count);
     sweeps.load(graph.order, graph.awake, v);
     sweeps.solve(tolerance, most);
+    for (int more = 0; more < ContactLaw.ROUNDS && lifts(kick); more++) {
+      sweeps.solve(0, most);
+    }
     if (makesEnergy()) {
       sweeps.load(graph.order, graph.awake, v);
       sweeps.solvePlainly(tolerance, most);
@@ -184,9 +187,25 @@ final class Momenta {
     keep(kick);
   }
 
-  /** Finds groups whose impulses do work; they start anew, with impulses and targets of 0. */
-  private boolean makesEnergy() {
-    NearPairs p = graph.pairs;
+  /**
+   * Whether what is left of a solve adds energy to a group, as between the sides of a steep wedge.
+   * From tick to tick that changes by half of {@code sum l (q + q_after)}, where q does not have
+   * the kick of gravity.
+   */
+  private boolean lifts(double kick) {
+    findWork(false);
+    for (int k = 0; k < graph.awake; k++) {
+      work[groups.of(k)] -= ContactLaw.LIFT * kick * kick / weight[graph.order[k]];
+    }
+    boolean any = false;
+    for (int k = 0; k < graph.awake; k++) {
+      any |= work[k] > 0;
+    }
+    return any;
+  }
+
+  /** Finds the work of the impulses on each group of contacts that bear, twice. */
+  private void findWork(boolean withKick) {
     groups.clear(graph.awake);
     Arrays.fill(work, 0, graph.awake, 0);
     for (int c = 0; c < count; c++) {
@@ -197,10 +216,17 @@ final class Momenta {
     for (int c = 0; c < count; c++) {
       double l = sweeps.impulse(c);
       if (l > 0) {
-        double after = sweeps.opening(c) - p.drift[pair[c]];
-        work[groups.of(sweeps.first(c))] += l * (before[c] + after);
+        int k = pair[c];
+        double q = withKick || hit[c] ? before[c] : before[c] - relativeKick(k);
+        work[groups.of(sweeps.first(c))] += l * (q + sweeps.opening(c) - graph.pairs.drift[k]);
       }
     }
+  }
+
+  /** Finds groups whose impulses do work; they start anew, with impulses and targets of 0. */
+  private boolean makesEnergy() {
+    NearPairs p = graph.pairs;
+    findWork(true);
     boolean any = false;
     for (int c = 0; c < count; c++) {
       if (work[groups.of(sweeps.first(c))] > 0) {

@@ -88,6 +88,13 @@ final class NearPairs {
     return (q[a] - q[b]) * nx[k] + (q[a + 1] - q[b + 1]) * ny[k] - drift[k];
   }
 
+  /** The relative speed of two circles. */
+  double speed(double[] q, int k) {
+    double x = q[2 * owner[k]] - q[2 * other[k]];
+    double y = q[2 * owner[k] + 1] - q[2 * other[k] + 1];
+    return Math.sqrt(x * x + y * y);
+  }
+
   /** Deep overlaps are there from the start, and nothing pushes them apart. */
   boolean isDeep(int k) {
     return gap[k] < -standoff[k] / 2;

@@ -66,11 +66,7 @@ final class Newcomers {
       turn(i, px, py);
       return true;
     }
-    if (!parts.areMoving()) {
-      halt(i, px, py);
-      return true;
-    }
-    return false;
+    return halt(i, px, py);
   }
 
   private boolean takesNearest(int i, double px, double py, double most) {
@@ -163,34 +159,69 @@ final class Newcomers {
         && (!parts.isOneWay(p) || parts.distance >= members.radius[i] * (1 - ContactLaw.STANDOFF));
   }
 
-  /** Stops a newcomer for the rest of the tick, and each whose flight runs into one that stands. */
-  private void halt(int i, double px, double py) {
-    members.fly(i, 0, 0);
-    turn(i, px, py);
+  /**
+   * Stops a newcomer for the rest of the tick, and each whose flight runs into one that stands;
+   * false, and nothing is done, if something that moves runs into one of these.
+   */
+  private boolean halt(int i, double px, double py) {
     stopped.clear();
     stopped.add(i);
     for (int c = 0; c < stopped.size(); c++) { // the list grows
-      int s = stopped.get(c);
-      near.clear();
-      host.membersNear(s, members.x[s], members.y[s], longest * time, near);
-      near.sort(0);
-      for (int m = 0; m < near.size(); m++) {
-        if (meets(near.get(m), s)) {
-          stop(near.get(m));
+      if (!findRunners(stopped.get(c))) {
+        return false;
+      }
+    }
+    turn(i, px, py);
+    for (int c = 1; c < stopped.size(); c++) {
+      stop(stopped.get(c));
+    }
+    return true;
+  }
+
+  /** Adds those that run into a circle that stands; false if one of them cannot stop. */
+  private boolean findRunners(int s) {
+    double x = members.xAt(s, now);
+    double y = members.yAt(s, now);
+    near.clear();
+    host.membersNear(s, x, y, longest * time, near);
+    near.sort(0);
+    for (int c = 0; c < near.size(); c++) {
+      int j = near.get(c);
+      if (!stopped.contains(j) && runsInto(j, s, x, y)) {
+        stopped.add(j);
+        if (!members.isAwake(j)) {
+          return false; // it rests on something that moves
         }
       }
     }
-    for (int c = 1; c < stopped.size(); c++) {
-      host.flies(stopped.get(c));
-    }
+    return !isRunOver(s, x, y);
   }
 
-  private boolean meets(int j, int s) {
-    double dx = members.x[s] - members.xAt(j, now);
-    double dy = members.y[s] - members.yAt(j, now);
+  private boolean runsInto(int j, int s, double x, double y) {
+    double dx = x - members.xAt(j, now);
+    double dy = y - members.yAt(j, now);
     double d = Math.sqrt(dx * dx + dy * dy);
     double gap = Math.max(0, d - members.radius[j] - members.radius[s]);
     return gap * d < (members.ux[j] * dx + members.uy[j] * dy) * time;
+  }
+
+  /** Whether something that moves runs into a circle that stands. */
+  private boolean isRunOver(int s, double x, double y) {
+    boolean is = false;
+    if (parts.areMoving()) {
+      near.clear();
+      parts.near(members, s, host, parts.fastest() * time, now, near);
+      double r = members.radius[s];
+      for (int c = 0; c < near.size(); c++) {
+        int p = near.get(c);
+        double mx = -parts.vx[p] * time;
+        double my = -parts.vy[p] * time;
+        is |=
+            parts.touches(p, r, members.filter[s], x, y, mx, my)
+                && mx * parts.normalX + my * parts.normalY < Math.min(0, r - parts.distance);
+      }
+    }
+    return is;
   }
 
   private void stop(int j) {
@@ -199,7 +230,7 @@ final class Newcomers {
     members.moveTo(j, now);
     members.fly(j, 0, 0);
     turn(j, px, py);
-    stopped.add(j);
+    host.flies(j);
   }
 
   /**

@@ -43,6 +43,14 @@ public final class IntList {
     values[size++] = value;
   }
 
+  public boolean contains(int value) {
+    boolean is = false;
+    for (int k = 0; k < size && !is; k++) {
+      is = values[k] == value;
+    }
+    return is;
+  }
+
   public int[] toArray() {
     return Arrays.copyOf(values, size);
   }
