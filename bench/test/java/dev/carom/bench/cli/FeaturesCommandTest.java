@@ -62,7 +62,7 @@ class FeaturesCommandTest {
   @Test
   void aHeapComesToRestAndBallsAmongPegsFall(@TempDir Path folder) throws IOException {
     Path csv = folder.resolve("heaps.csv");
-    Cli run = Cli.run("features --rounds 1 --warm-up 0 --heaps 29 --csv", csv);
+    Cli run = Cli.run("features --rounds 1 --warm-up 0 --heaps 29 --seed 2 --csv", csv);
 
     assertThat(run.exitCode()).isZero();
     assertThat(run.out())
@@ -71,7 +71,7 @@ class FeaturesCommandTest {
         .doesNotContain("a heap of 30");
     List<Row> rows = ResultsCsv.read(csv);
     assertThat(valueOf(rows, "heap:10", "heap_impacts")).isPositive();
-    assertThat(valueOf(rows, "heap:10", "heap_resting")).isBetween(0.5, 1.0); // some may roll
+    assertThat(valueOf(rows, "heap:10", "heap_resting")).isBetween(0.5, 1.0); // 54 of 60 seeds
     assertThat(valueOf(rows, "plinko", "heap_impacts")).isPositive();
   }
 }

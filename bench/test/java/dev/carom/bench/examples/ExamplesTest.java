@@ -99,7 +99,7 @@ class ExamplesTest {
     while (file.find()) {
       args.add(charts.resolve(file.group(1) + ".java").toString());
     }
-    assertThat(args).hasSize(5 + 2 + 7);
+    assertThat(args).hasSize(5 + 2 + 6);
     ByteArrayOutputStream errors = new ByteArrayOutputStream();
     int exit =
         ToolProvider.getSystemJavaCompiler().run(null, null, errors, args.toArray(String[]::new));
