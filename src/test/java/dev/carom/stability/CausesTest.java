@@ -5,7 +5,9 @@ import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.within;
 
 import dev.carom.Circle;
+import dev.carom.Impact;
 import dev.carom.Line;
+import dev.carom.Outcome;
 import dev.carom.Run;
 import dev.carom.Scene;
 import dev.carom.SceneBuilder;
@@ -306,5 +308,20 @@ class CausesTest {
     assertThat(Math.hypot(world.vx(0), world.vy(0))).isCloseTo(speed, within(1e-13));
     // 3 distances of way: in to the tip, but for the radius, and back out.
     assertThat(Math.hypot(world.x(0), world.y(0))).isGreaterThan(distance);
+  }
+
+  /** Infinitely many impacts, each of which leaves less to be done: it ends between two lines. */
+  @ParameterizedTest
+  @ValueSource(doubles = {0.1, 0.5, 0.9})
+  void comesToRestInAWedge(double e) {
+    SceneBuilder scene = Scene.builder().line(0, 0, 100, 1).restitution(e);
+    scene.line(0, 0, 100, -1).restitution(e).circle(50, 0, 0.1, -1, 0.01);
+    World world = new World(scene.build());
+    List<Impact> hits = Run.finish(world, 1e6, Run.WORK);
+    assertThat(hits.get(hits.size() - 1).outcome()).isEqualTo(Outcome.JAMMED);
+    assertThat(Math.hypot(world.vx(0), world.vy(0))).isZero();
+    // It touches both lines, up to 64 ulps.
+    double gap = world.x(0) / Math.hypot(100, 1) - 0.1;
+    assertThat(gap).isCloseTo(0, within(64 * Math.ulp(10.0)));
   }
 }
