@@ -29,6 +29,10 @@ import java.util.Optional;
  * System.out.println(impact.feature() + ", " + impact.normal()); // SIDE, Vec2[x=-1.0, y=0.0]
  * }</pre>
  *
+ * <p><img src="doc-files/sweep.svg" alt="A circle at time 0 and at its impact with a line: the
+ * point of the impact, and the normal, which points from the line to the centre"
+ * style="max-width:100%">
+ *
  * <p>There are two forms of each question. {@code timeTo} takes and returns doubles, {@code
  * +infinity} for never. It allocates nothing, unless a question is so close to a tie that only
  * exact arithmetic decides it: one circle may be asked about many obstacles. {@code cast} takes a

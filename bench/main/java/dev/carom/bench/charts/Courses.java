@@ -24,17 +24,25 @@ public final class Courses {
     double at(int frame, int circle);
   }
 
-  /** One coordinate of a circle at a time, and its velocity from then on. */
-  record Key(double t, double p, double v) {
+  /**
+   * One coordinate of a circle at a time, and its velocity and acceleration from then on.
+   *
+   * @param a NaN as long as it is not known
+   */
+  record Key(double t, double p, double v, double a) {
 
     double at(double time, double a) {
       double dt = time - t;
       return p + v * dt + a * dt * dt / 2;
     }
+
+    Key with(double acceleration) {
+      return new Key(t, p, v, acceleration);
+    }
   }
 
   /** What is off by less, as a part of the greatest distance in the scene, cannot be seen. */
-  private static final double VISIBLE = 2e-5;
+  private static final double VISIBLE = 1e-4;
 
   private final double visible;
   private final double duration;
@@ -111,19 +119,32 @@ public final class Courses {
     add(ys.get(circle), t, past.y(circle, t), past.vy(circle, t), gy);
   }
 
-  /** Adds a key unless the last flight goes on. */
-  private void add(List<Key> keys, double t, double p, double v, double a) {
+  /** Adds a key unless the last flight goes on: falling freely, or held by contact. */
+  private void add(List<Key> keys, double t, double p, double v, double g) {
     if (!Double.isFinite(p) || !Double.isFinite(v)) {
       return;
     }
     if (!keys.isEmpty()) {
-      Key last = keys.get(keys.size() - 1);
-      double turned = Math.abs(last.v + a * (t - last.t) - v) * duration;
-      if (Math.abs(last.at(t, a) - p) < visible && turned < visible) {
+      int i = keys.size() - 1;
+      Key last = keys.get(i);
+      if (t == last.t) {
+        keys.set(i, new Key(t, p, v, Double.NaN)); // what comes last of one moment lasts
         return;
       }
+      double[] known = {last.a};
+      double found = 0;
+      for (double a : Double.isNaN(last.a) ? new double[] {0, g} : known) {
+        if (Math.abs(last.at(t, a) - p) < visible) {
+          found = a;
+          if (Math.abs(last.v + a * (t - last.t) - v) < visible) {
+            keys.set(i, last.with(a));
+            return;
+          }
+        }
+      }
+      keys.set(i, last.with(Double.isNaN(last.a) ? found : last.a));
     }
-    keys.add(new Key(t, p, v));
+    keys.add(new Key(t, p, v, Double.NaN));
   }
 
   /** Marks a circle that is lost from a frame on. */
@@ -150,37 +171,29 @@ public final class Courses {
   }
 
   List<Key> x(int circle) {
-    return ended(xs.get(circle), gx);
+    return ended(xs.get(circle));
   }
 
   List<Key> y(int circle) {
-    return ended(ys.get(circle), gy);
-  }
-
-  double gx() {
-    return gx;
-  }
-
-  double gy() {
-    return gy;
+    return ended(ys.get(circle));
   }
 
   /** With a key at each turn of a parabola, and one at the end. */
-  private List<Key> ended(List<Key> keys, double a) {
+  private List<Key> ended(List<Key> keys) {
     List<Key> all = new ArrayList<>();
     for (int i = 0; i < keys.size(); i++) {
-      Key key = keys.get(i);
+      Key key = keys.get(i).with(Double.isNaN(keys.get(i).a) ? 0 : keys.get(i).a);
       double end = i + 1 < keys.size() ? keys.get(i + 1).t : duration;
       all.add(key);
-      double turn = a == 0 ? end : key.t - key.v / a;
+      double turn = key.a == 0 ? end : key.t - key.v / key.a;
       if (turn > key.t && turn < end) {
-        all.add(new Key(turn, key.at(turn, a), 0));
+        all.add(new Key(turn, key.at(turn, key.a), 0, key.a));
       }
     }
     if (!all.isEmpty()) {
       Key last = all.get(all.size() - 1);
       if (last.t < duration) {
-        all.add(new Key(duration, last.at(duration, a), last.v + a * (duration - last.t)));
+        all.add(new Key(duration, last.at(duration, last.a), 0, 0));
       }
     }
     return all;

@@ -247,8 +247,8 @@ public final class Motion {
       put(
           "<circle cx='%s' cy='%s' r='%s'>",
           number(circle.x()), number(circle.y()), number(circle.radius()));
-      flight("cx", courses.x(i), courses.gx());
-      flight("cy", courses.y(i), courses.gy());
+      flight("cx", courses.x(i));
+      flight("cy", courses.y(i));
       if (courses.lost(i).isPresent()) {
         double at = courses.lost(i).getAsInt() / courses.duration();
         discrete("fill", "#56b4e9;#d55e00", "0;" + share(at));
@@ -258,7 +258,7 @@ public final class Motion {
     svg.append("</g>\n");
   }
 
-  private void flight(String attribute, List<Courses.Key> keys, double a) {
+  private void flight(String attribute, List<Courses.Key> keys) {
     if (keys.size() < 2 || keys.stream().mapToDouble(Courses.Key::p).distinct().count() == 1) {
       return;
     }
@@ -266,21 +266,24 @@ public final class Motion {
     put("<animate attributeName='%s' dur='%ss' repeatCount='indefinite'", attribute, seconds);
     put(" keyTimes='%s'", joined(keys, key -> share(key.t() / end)));
     put(" values='%s'", joined(keys, key -> number(key.p())));
-    if (a != 0) {
-      put(" calcMode='spline' keySplines='%s'", splines(keys, a));
+    if (keys.stream().anyMatch(key -> key.a() != 0)) {
+      put(" calcMode='spline' keySplines='%s'", splines(keys));
     }
     svg.append("/>");
   }
 
   /** A piece of a parabola without a turn: the share of its way against that of its time. */
-  private static String splines(List<Courses.Key> keys, double a) {
+  private static String splines(List<Courses.Key> keys) {
     StringBuilder text = new StringBuilder();
     for (int i = 1; i < keys.size(); i++) {
       Courses.Key from = keys.get(i - 1);
       double duration = keys.get(i).t() - from.t();
-      double sum = 2 * from.v() + a * duration; // twice the mean velocity
-      double first = sum == 0 ? 1.0 / 3 : 2 * from.v() / (3 * sum);
-      double last = sum == 0 ? 2.0 / 3 : 1 - 2 * (from.v() + a * duration) / (3 * sum);
+      double sum = 2 * from.v() + from.a() * duration; // twice the mean velocity
+      double first = from.a() == 0 || sum == 0 ? 1.0 / 3 : 2 * from.v() / (3 * sum);
+      double last =
+          from.a() == 0 || sum == 0
+              ? 2.0 / 3
+              : 1 - 2 * (from.v() + from.a() * duration) / (3 * sum);
       text.append(i == 1 ? "" : ";").append(".333 ").append(within(first));
       text.append(" .667 ").append(within(last));
     }
