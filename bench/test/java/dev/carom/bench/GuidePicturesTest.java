@@ -43,7 +43,7 @@ class GuidePicturesTest {
     if ("write".equals(System.getProperty("carom.pictures"))) {
       Files.writeString(FOLDER.resolve(name), drawn);
     }
-    assertThat(FOLDER.resolve(name)).hasContent(drawn);
+    assertThat(FOLDER.resolve(name)).as("drawn by -Dcarom.pictures=write").hasContent(drawn);
   }
 
   private static String moving(String title, Scene scene, int frames) {
