@@ -81,9 +81,11 @@ final class SceneOptions {
         .formatted(seed, circles, crosses, Decimals.plain(radius), speeds);
   }
 
-  /** A short name for the scene: its file without the folder, or what it was generated from. */
+  /** A short name for the scene: its file without the folder, or what was generated. */
   String title() {
-    return file == null || file.getFileName() == null ? name() : file.getFileName().toString();
+    return file == null || file.getFileName() == null
+        ? "%d circles among %d crosses".formatted(circles, crosses)
+        : file.getFileName().toString();
   }
 
   Scene scene() throws IOException, CannotPlaceException {

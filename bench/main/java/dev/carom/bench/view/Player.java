@@ -15,6 +15,7 @@ import dev.carom.bench.charts.WorldScene;
 import java.util.Arrays;
 import java.util.HashSet;
 import java.util.List;
+import java.util.OptionalDouble;
 import java.util.Set;
 
 /**
@@ -277,9 +278,9 @@ public final class Player {
     return history.marks(shown() - time, upTo, most);
   }
 
-  /** The cost of coming to the moment shown. */
-  TickCost cost() {
-    return history.cost(shown(), frame);
+  /** What a frame took on the way to the moment shown, in nanoseconds; empty if none was played. */
+  OptionalDouble frameNanos() {
+    return history.frameNanos(shown(), frame);
   }
 
   /** The time of a frame at speed 1. */

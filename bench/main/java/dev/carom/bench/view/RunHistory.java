@@ -4,18 +4,19 @@ package dev.carom.bench.view;
 import dev.carom.ImpactLog;
 import java.util.ArrayList;
 import java.util.List;
+import java.util.OptionalDouble;
 import java.util.function.ToDoubleFunction;
 
 /**
- * The impacts of a run and the costs of its ticks, by time, for the figures of any moment. Its
- * memory is bounded: the oldest impacts and ticks go first, but all impacts are counted.
+ * The impacts of a run and the costs of its ticks, by time, to be told of any moment. Its memory is
+ * bounded: the oldest impacts and ticks go first, but all impacts are counted.
  */
 final class RunHistory {
 
   /** Impacts, or ticks, that are kept. */
   private static final int KEPT = 100_000;
 
-  /** Ticks over which figures are averaged: a second. */
+  /** Ticks whose median is told: those of a second. */
   private static final int WINDOW = 60;
 
   /**
@@ -25,7 +26,7 @@ final class RunHistory {
    * @param to its time after
    * @param nanos how long the call took
    */
-  private record Tick(double from, double to, long nanos, int impacts) {}
+  private record Tick(double from, double to, long nanos) {}
 
   private List<Mark> marks = new ArrayList<>();
   private List<Tick> ticks = new ArrayList<>();
@@ -37,7 +38,7 @@ final class RunHistory {
     for (int row = 0; row < log.size(); row++) {
       marks.add(Mark.of(log, row));
     }
-    ticks.add(new Tick(from, to, nanos, log.size()));
+    ticks.add(new Tick(from, to, nanos));
     int before = marks.size();
     marks = bounded(marks);
     dropped += before - marks.size();
@@ -74,19 +75,16 @@ final class RunHistory {
     return i < marks.size() ? marks.get(i).time() : Double.POSITIVE_INFINITY;
   }
 
-  /** The cost of reaching a moment: the last second of ticks. */
-  TickCost cost(double time, double frame) {
+  /** What a frame took on the way to a moment: the median of the last second, in nanoseconds. */
+  OptionalDouble frameNanos(double time, double frame) {
     int end = Math.min(ticks.size(), upTo(ticks, Tick::from, Math.nextDown(time)));
-    long nanos = 0;
-    long impacts = 0;
-    double frames = 0;
-    List<Tick> window = ticks.subList(Math.max(0, end - WINDOW), end);
-    for (Tick tick : window) {
-      nanos += tick.nanos();
-      impacts += tick.impacts();
-      frames += (tick.to() - tick.from()) / frame;
-    }
-    return new TickCost(window.size(), frames, nanos, impacts);
+    double[] nanos =
+        ticks.subList(Math.max(0, end - WINDOW), end).stream()
+            .filter(tick -> tick.to() > tick.from())
+            .mapToDouble(tick -> tick.nanos() * frame / (tick.to() - tick.from()))
+            .sorted()
+            .toArray();
+    return nanos.length == 0 ? OptionalDouble.empty() : OptionalDouble.of(nanos[nanos.length / 2]);
   }
 
   /** How many of a list, ascending by a key, have at most that key. */

@@ -18,9 +18,7 @@ import java.awt.event.MouseWheelEvent;
 import java.awt.geom.AffineTransform;
 import java.awt.geom.NoninvertibleTransformException;
 import java.awt.geom.Point2D;
-import java.util.ArrayList;
 import java.util.List;
-import java.util.Locale;
 import java.util.concurrent.TimeUnit;
 import java.util.function.Consumer;
 import javax.swing.JComponent;
@@ -34,9 +32,6 @@ final class SceneCanvas extends JComponent {
   /** How far beside a line the mouse still takes hold of it, in pixels. */
   private static final double REACH = 7;
 
-  /** Pixels between the figures and the rim. */
-  private static final int INSET = 8;
-
   /** How much a notch of the wheel enlarges. */
   private static final double NOTCH = 1.2;
 
@@ -46,7 +41,6 @@ final class SceneCanvas extends JComponent {
   private final transient Player player;
   private final transient Consumer<String> changed;
   private final transient ScenePainter painter;
-  private boolean duelling;
   private Tool tool = Tool.HAND;
   private transient Grip grip;
   private transient Draft draft;
@@ -139,11 +133,6 @@ final class SceneCanvas extends JComponent {
     setCursor(
         Cursor.getPredefinedCursor(
             tool == Tool.HAND ? Cursor.DEFAULT_CURSOR : Cursor.CROSSHAIR_CURSOR));
-  }
-
-  /** In a duel the score tells what takes how long. */
-  void setDuelling(boolean duelling) {
-    this.duelling = duelling;
   }
 
   private Rectangle area() {
@@ -279,27 +268,10 @@ final class SceneCanvas extends JComponent {
       if (draft != null) {
         painter.draft(g, area(), player, draft);
       }
-      if (painter.shows(ScenePainter.Layer.FIGURES) && !duelling) {
-        Rectangle inside = area();
-        inside.grow(-INSET, -INSET);
-        Notes.draw(g, figures(), getWidth(), 0, inside, painter.scheme());
-      }
       Notes.draw(g, hovered(), tipX(), tipY(), area(), painter.scheme());
     } finally {
       g.dispose();
     }
-  }
-
-  /** The text in the corner, for the moment that is shown. */
-  List<String> figures() {
-    List<String> lines = new ArrayList<>(player.cost().lines());
-    lines.add(Plural.of(player.circleIds().length, "circle"));
-    Vec2 g = player.look().gravity();
-    if (g.length() > 0) {
-      lines.add(String.format(Locale.ROOT, "gravity %.3g, %.3g", g.x(), g.y()));
-    }
-    lines.addAll(List.of(player.engineDescription().split(", ")));
-    return lines;
   }
 
   private double tipX() {

@@ -32,8 +32,7 @@ final class ScenePainter {
     TRAILS("Trails", "Show where the circles were lately"),
     NORMALS("Normals", "Show the normal of each impact of late"),
     GRID("Grid", "Show coordinates"),
-    ARROWS("Arrows", "Show where the circles go"),
-    FIGURES("Figures", "Show what frames and impacts take, with the drawing in between");
+    ARROWS("Arrows", "Show where the circles go");
 
     private final String label;
     private final String tip;
@@ -65,7 +64,7 @@ final class ScenePainter {
 
   private static final double NORMAL = 22;
 
-  private final Set<Layer> layers = EnumSet.of(Layer.TRAILS, Layer.FIGURES);
+  private final Set<Layer> layers = EnumSet.of(Layer.TRAILS);
   private final Viewport viewport = new Viewport(MARGIN);
   private SceneDrawing drawing;
   private double arrowTime;

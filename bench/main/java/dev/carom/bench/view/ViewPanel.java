@@ -13,6 +13,7 @@ import java.awt.event.ActionEvent;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Locale;
+import java.util.OptionalDouble;
 import java.util.function.Consumer;
 import javax.swing.AbstractAction;
 import javax.swing.AbstractButton;
@@ -55,11 +56,14 @@ public final class ViewPanel extends JPanel {
   /** Frames a tick that slow engines still keep up with. */
   private static final double MOST_IN_DUEL = 10;
 
+  /** The time of a frame at 60 a second, in nanoseconds. */
+  private static final double BUDGET = 1e9 / 60;
+
   /** Among the rivals: nobody. */
   private static final String ALONE = "nobody";
 
-  /** The width of the slider of speed, in pixels. */
-  private static final int SPEED_WIDTH = 140;
+  /** The width of the sliders in the tool bar, in pixels. */
+  private static final int SLIDER_WIDTH = 80;
 
   private final transient Player player;
   private final SceneCanvas canvas;
@@ -74,6 +78,8 @@ public final class ViewPanel extends JPanel {
   private final JSlider time = new JSlider(0, SLIDER, 0);
   private final JSlider speed = new JSlider(-DECADES * DECADE, DECADES * DECADE, 0);
   private final JLabel factor = new JLabel();
+  private final JSlider gravity = new JSlider(0, 100, 0);
+  private final JPanel layers = new JPanel(new WrapLayout(6, 0));
   private final JPanel foot = new JPanel(new BorderLayout());
   private final JLabel status = new JLabel(" ");
   private transient Consumer<String> titled = title -> {};
@@ -117,10 +123,14 @@ public final class ViewPanel extends JPanel {
         key("R", "R", "Restart", "Begin again with the scene as it was loaded", player::restart));
     key("LEFT", "Left", "Back", "Go back by one frame", this::stepBack);
     addSpeed();
+    addGravity();
     addRivals();
     addTools();
     addLayers();
-    addButton(new JButton(), ToolIcon.FIT, key("0", "0", "Fit", "Show the whole scene", this::fit));
+    JButton fit = new JButton();
+    addButton(fit, ToolIcon.FIT, key("0", "0", "Fit", "Show the whole scene", this::fit));
+    fit.setText("");
+    fit.setName("Fit");
     key("PLUS", "+", "Closer", "Enlarge; so does the wheel", () -> canvas.zoom(CLOSER));
     alias("EQUALS", "ADD", "shift EQUALS");
     key("MINUS", "-", "Farther", "Make smaller; so does the wheel", () -> canvas.zoom(1 / CLOSER));
@@ -172,7 +182,7 @@ public final class ViewPanel extends JPanel {
   private void addSpeed() {
     speed.setFocusable(false);
     speed.setName("Speed");
-    speed.setPreferredSize(new Dimension(SPEED_WIDTH, speed.getPreferredSize().height));
+    speed.setPreferredSize(new Dimension(SLIDER_WIDTH, speed.getPreferredSize().height));
     speed.setToolTipText("How fast it runs, from 1/1000 to 1000 times (Up and Down)");
     speed.addChangeListener(event -> setSpeed());
     bar.add(new JLabel("Speed"));
@@ -187,6 +197,21 @@ public final class ViewPanel extends JPanel {
         "Slower",
         "Run slower",
         () -> speed.setValue(speed.getValue() - DECADE / 4));
+  }
+
+  private void addGravity() {
+    gravity.setFocusable(false);
+    gravity.setName("Gravity");
+    gravity.setPreferredSize(new Dimension(SLIDER_WIDTH, gravity.getPreferredSize().height));
+    gravity.setToolTipText("How strongly circles fall, from not at all to as on Earth (W)");
+    gravity.addChangeListener(
+        event -> {
+          if (!refreshing) {
+            act(() -> player.setGravity(0, -full() * gravity.getValue() / gravity.getMaximum()));
+          }
+        });
+    bar.add(new JLabel("Gravity"));
+    bar.add(gravity);
   }
 
   private void setSpeed() {
@@ -229,7 +254,6 @@ public final class ViewPanel extends JPanel {
     arena.challenge(rival);
     setSpeed();
     panes.remove(rivalPane);
-    canvas.setDuelling(rival != null);
     foot.remove(scorePane);
     if (rival != null) {
       panes.add(rivalPane);
@@ -277,7 +301,7 @@ public final class ViewPanel extends JPanel {
       box.setToolTipText(action.hint());
       box.setFocusable(false);
       box.addActionListener(event -> action.action().run());
-      bar.add(box);
+      layers.add(box);
     }
   }
 
@@ -294,7 +318,8 @@ public final class ViewPanel extends JPanel {
     time.setToolTipText("Which moment is shown: drag it into the past");
     time.addChangeListener(event -> scrub());
     controls.add(time, BorderLayout.NORTH);
-    controls.add(status, BorderLayout.SOUTH);
+    controls.add(status, BorderLayout.CENTER);
+    controls.add(layers, BorderLayout.EAST);
     foot.add(controls, BorderLayout.SOUTH);
     return foot;
   }
@@ -321,9 +346,14 @@ public final class ViewPanel extends JPanel {
 
   /** Circles fall through what is shown in about two seconds; on the moon, in about five. */
   private void weigh() {
-    double full = FALL * canvas.planeHeight() / (player.frame() * player.frame());
+    double full = full();
     double now = player.look().gravity().length();
     player.setGravity(0, now == 0 ? -full / MOON : now < full / 2 ? -full : 0);
+  }
+
+  /** Earth's gravity, if what is shown is a room. */
+  private double full() {
+    return FALL * canvas.planeHeight() / (player.frame() * player.frame());
   }
 
   private void fit() {
@@ -403,18 +433,33 @@ public final class ViewPanel extends JPanel {
     status.setText(
         String.format(
             Locale.ROOT,
-            "time %.3f%s, %s; %s%s",
+            "time %.3f%s, %s%s; %s%s",
             player.shown(),
             moment,
             Plural.of(player.impacts(), "impact"),
+            cost(),
             player.engineDescription(),
             message.isEmpty() ? "" : "; " + message));
+    gravity.setValue(
+        (int) Math.round(gravity.getMaximum() * player.look().gravity().length() / full()));
     refreshing = false;
     canvas.repaint();
     if (arena.isOpen()) {
       rivalPane.repaint();
       scorePane.repaint();
     }
+  }
+
+  /** What a frame takes, of the 16.67 ms that 60 a second have. */
+  private String cost() {
+    OptionalDouble nanos = player.frameNanos();
+    return nanos.isEmpty()
+        ? ""
+        : String.format(
+            Locale.ROOT,
+            "; a frame takes %.1f µs (median), %.2g %% of the budget",
+            nanos.getAsDouble() / 1e3,
+            nanos.getAsDouble() / BUDGET * 100);
   }
 
   /** The text of the status line. */

@@ -1,13 +1,19 @@
 // SPDX-License-Identifier: Apache-2.0
 package dev.carom.bench.view;
 
+import dev.carom.bench.charts.Style;
 import dev.carom.bench.duel.Rival;
 import dev.carom.bench.reference.Reference;
 import java.awt.Dimension;
+import java.awt.Graphics2D;
+import java.awt.Image;
 import java.awt.Toolkit;
 import java.awt.event.ActionEvent;
 import java.awt.event.WindowAdapter;
 import java.awt.event.WindowEvent;
+import java.awt.geom.Ellipse2D;
+import java.awt.geom.Line2D;
+import java.awt.image.BufferedImage;
 import javax.swing.AbstractAction;
 import javax.swing.JCheckBoxMenuItem;
 import javax.swing.JComponent;
@@ -26,6 +32,7 @@ public final class ViewWindow {
   private static final Dimension SIZE = new Dimension(1100, 800);
   private static final Dimension LEAST = new Dimension(420, 320);
   private static final String NAME = "Carom";
+  private static final int ICON = 64;
 
   private final JFrame frame = new JFrame();
   private final ViewPanel panel;
@@ -42,6 +49,7 @@ public final class ViewWindow {
     frame.setJMenuBar(menus());
     frame.setMinimumSize(LEAST);
     frame.setSize(SIZE);
+    frame.setIconImage(icon());
   }
 
   /**
@@ -68,6 +76,7 @@ public final class ViewWindow {
     ViewWindow window = new ViewWindow(title, player);
     window.panel.arena().setTruth(player.scene(), truth);
     window.panel.challenge(rival);
+    player.setRunning(true);
     Timer timer = new Timer(MILLIS, event -> window.tick());
     window.frame.addWindowListener(
         new WindowAdapter() {
@@ -79,6 +88,20 @@ public final class ViewWindow {
         });
     timer.start();
     return window.frame;
+  }
+
+  /** A circle that bounces off a line. */
+  private static Image icon() {
+    BufferedImage image = new BufferedImage(ICON, ICON, BufferedImage.TYPE_INT_ARGB);
+    Graphics2D g = image.createGraphics();
+    Style.smooth(g);
+    g.setColor(Style.BLUE);
+    g.fill(new Ellipse2D.Double(0.3 * ICON, 0.02 * ICON, 0.66 * ICON, 0.66 * ICON));
+    g.setColor(Style.VERMILION);
+    g.setStroke(Style.line(ICON / 10.0));
+    g.draw(new Line2D.Double(0.06 * ICON, 0.6 * ICON, 0.9 * ICON, 0.94 * ICON));
+    g.dispose();
+    return image;
   }
 
   private void tick() {

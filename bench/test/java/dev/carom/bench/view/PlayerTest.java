@@ -206,16 +206,12 @@ class PlayerTest {
   }
 
   @Test
-  void tellsWhatTheTicksUpToTheMomentShownCost() {
-    assertThat(player.cost().lines()).isEmpty();
+  void tellsWhatAFrameOnTheWayToTheMomentShownTook() {
+    assertThat(player.frameNanos()).isEmpty();
     run(20);
-    assertThat(player.cost())
-        .extracting(TickCost::ticks, TickCost::impacts)
-        .containsExactly(20, 2L);
-    player.seek(7);
-    assertThat(player.cost()).extracting(TickCost::ticks, TickCost::impacts).containsExactly(7, 1L);
-    assertThat(player.cost().frames()).isEqualTo(7);
-    assertThat(player.cost().nanos()).isPositive();
+    assertThat(player.frameNanos().getAsDouble()).isPositive();
+    player.seek(0);
+    assertThat(player.frameNanos()).isEmpty();
   }
 
   @Test

@@ -34,6 +34,8 @@ class ViewWindowTest {
   void open() throws Exception {
     player = new Player(Crosses.canonical(1).scene(), 1);
     screen = Screen.open(() -> ViewWindow.of("Test", player));
+    screen.until(() -> assertThat(player.shown()).as("it starts moving").isPositive());
+    EventQueue.invokeAndWait(() -> player.setRunning(false));
   }
 
   @AfterEach
