@@ -102,6 +102,7 @@ public final class Parts {
       }
       parts.add(frameTimes(Subjects.GAS, colliding(), fork, quick));
       parts.add(frameTimes(Subjects.HEAP, heaping(), fork, quick));
+      parts.add(new StartPart(fork, starting()));
     }
     return List.copyOf(parts);
   }
@@ -155,6 +156,11 @@ public final class Parts {
     List<Contender> all = new ArrayList<>(List.of(Methods.CAROM));
     all.addAll(Peers.all());
     return all;
+  }
+
+  /** The library and the engines as they come. */
+  private static List<Contender> starting() {
+    return heaping().stream().filter(c -> !c.id().endsWith("-best")).toList();
   }
 
   /** A scene of the comparison, at time 0. */

@@ -376,6 +376,7 @@ final class Page {
       paragraph(gas.note());
     }
     figure("scale");
+    figure("start");
     figure("sweep");
   }
 

@@ -105,6 +105,7 @@ public final class Report {
     figures.addAll(new TrustFigures(results).figures());
     figures.addAll(new StabilityFigures(results).figures());
     figures.addAll(new FrameTimeFigures(results).figures());
+    figures.addAll(new StartFigures(results).figures());
     figures.addAll(new SweepFigures(results).figures());
     figures.addAll(new ScaleFigures(results, 1e6 * ScalePlan.LIMIT_MILLIS).figures());
     figures.addAll(new WorldsFigures(results).figures());

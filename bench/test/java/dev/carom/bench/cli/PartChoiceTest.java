@@ -71,7 +71,9 @@ class PartChoiceTest {
     assertThat(all)
         .extracting(Part::id)
         .allMatch(
-            id -> id.matches("(scene/.+|gas/.+|bounce/.+|rungs|query|query-time|time/.+)/[^/]+"));
+            id ->
+                id.matches(
+                    "(scene/.+|gas/.+|heap/.+|bounce/.+|rungs|query|query-time|time/.+)/[^/]+"));
     assertThat(PartChoice.untimed(all)).hasSizeBetween(100, all.size() - 20);
   }
 
