@@ -6,6 +6,7 @@ import static dev.carom.Kind.LINE;
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.within;
 
+import java.util.Random;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
@@ -66,5 +67,42 @@ class JammedUnderGravityTest {
     }
     world.advanceTo(20);
     assertThat(world.y(0)).isLessThan(-20);
+  }
+
+  /** A save gives circles other slots: balls between lines that close jam at the same times. */
+  @Test
+  void aBallThatIgnoresOthersJamsAlikeAfterARestore() {
+    Random random = new Random(1);
+    int jams = 0;
+    for (int play = 0; play < 40; play++) {
+      Scene scene =
+          Scene.builder()
+              .collide(false)
+              .gravity(0, -10)
+              .bounds(0, 0, 100, 80)
+              .circle(90, 70, 1, 0, 0)
+              .circle(50, 20, 3, random.nextDouble(), 0)
+              .restitution(0.7)
+              .line(20, 8 + 4 * random.nextDouble(), 80, 6 + 8 * random.nextDouble())
+              .velocity(random.nextDouble(), 1 + random.nextDouble())
+              .line(30, 30 * random.nextDouble() + 8, 52, 40)
+              .velocity(3, 0)
+              .line(48, 40, 70, 30 * random.nextDouble() + 8)
+              .velocity(-3, -random.nextDouble())
+              .build();
+      World world = new World(scene);
+      world.remove(CIRCLE, 0);
+      World restored = new World(scene);
+      restored.restore(world.snapshot());
+      for (int frame = 1; frame <= 400; frame++) {
+        world.advanceTo(frame / 60.0);
+        restored.advanceTo(frame / 60.0);
+        for (Impact row : world.impacts()) {
+          jams += row.outcome() == Outcome.JAMMED ? 1 : 0;
+        }
+      }
+      assertThat(restored.snapshot()).as("play %d", play).isEqualTo(world.snapshot());
+    }
+    assertThat(jams).isGreaterThan(5);
   }
 }

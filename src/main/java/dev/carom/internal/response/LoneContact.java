@@ -110,7 +110,7 @@ public final class LoneContact implements ContactHost {
     if (core == null || gx != gravity.x || gy != gravity.y) {
       gx = gravity.x;
       gy = gravity.y;
-      core = new ContactCore(obstacles, registry, null, this, 1, gx, gy);
+      core = new ContactCore(obstacles, null, null, this, 1, gx, gy); // SLOT is in no registry
     }
     core.describe(SLOT, m.radius, 1, m.restitution, m.filter);
     place.id = m.id;

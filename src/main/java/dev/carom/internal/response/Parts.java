@@ -90,6 +90,7 @@ final class Parts {
   double distance;
 
   /**
+   * @param registry null for a circle alone, whatever its slot
    * @param circles the circles of which those of infinite mass are parts; null for none
    */
   Parts(ObstacleTable obstacles, CircleRegistry registry, CircleTable circles) {
