@@ -85,6 +85,7 @@ class ContactExtremesTest {
   /** Rows of N diameters, exactly, and by 1e-7 more or less, five high: odd ones one shorter. */
   @ParameterizedTest
   @CsvSource({
+    "2, 0, 0.7",
     "3, 0, 0",
     "3, 0, 0.5",
     "3, 1e-7, 0.5",

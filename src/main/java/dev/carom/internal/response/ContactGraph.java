@@ -36,9 +36,6 @@ final class ContactGraph {
   final double[] margin;
   final double[] listTime;
 
-  /** No margin is wider. */
-  private double widest;
-
   /** The awake circles that are listed anew. */
   private final boolean[] isNew;
 
@@ -91,7 +88,9 @@ final class ContactGraph {
   /** Lets all circles be listed anew. */
   void forget() {
     isValid = false;
-    Arrays.fill(margin, 0);
+    for (int k = 0; k < awake; k++) {
+      margin[order[k]] = 0;
+    }
   }
 
   /** Forgets all circles and pairs. */
@@ -194,7 +193,7 @@ final class ContactGraph {
     keepOld();
     dropOthers();
     sort();
-    widest = 0;
+    double widest = 0;
     for (int k = 0; k < awake; k++) {
       int i = order[k];
       isNew[i] = margin[i] == 0 || !covers(i, q, now, time);
@@ -207,7 +206,7 @@ final class ContactGraph {
       }
       widest = Math.max(widest, margin[i]);
     }
-    collect(now);
+    collect(now, widest);
     arrange();
     for (int k = 0; k < old.size; k++) {
       boolean bore = old.bore[k] || old.impulse[k] > 0;
@@ -267,7 +266,12 @@ final class ContactGraph {
     return height[i] > height[j] || (height[i] == height[j] && i < j);
   }
 
-  private void collect(double now) {
+  /**
+   * Takes over the pairs of who stays listed, and finds those of who is new.
+   *
+   * @param widest the widest margin
+   */
+  private void collect(double now, double widest) {
     raw.clear();
     for (int k = 0; k < old.size; k++) {
       keep(old.owner[k], old.part[k] < 0 ? old.other[k] : ~old.part[k]);

@@ -3,7 +3,7 @@ package dev.carom.internal.response;
 
 /**
  * The constants of contact. Units are the radius R of a circle, the size g of gravity, the length
- * tau of a tick, and the kick {@code g tau}. Sixteen numbers are the law, and others follow from
+ * tau of a tick, and the kick {@code g tau}. Eighteen numbers are the law, and others follow from
  * them. The search for flights and the list of pairs have some of their own.
  */
 final class ContactLaw {
@@ -49,11 +49,15 @@ final class ContactLaw {
   static final double RESIDUAL = 1e-3;
 
   /**
-   * In m (g tau)^2 for each circle: a solve that adds more energy goes on, as long again, so many
-   * times at most. Without {@code ContactExtremesTest.fullRows} fails.
+   * In m (g tau)^2 for each circle: a solve that adds more energy goes on. Without {@code
+   * ContactExtremesTest.fullRows} fails.
    */
   static final double LIFT = 4 * RESIDUAL;
 
+  /**
+   * So many times at most a solve goes on, each time as long again. With 1 {@code
+   * ContactExtremesTest.fullRows} fails.
+   */
   static final int ROUNDS = 2;
 
   /** In kicks: a change of momentum is an acceleration up to here, and beyond a hit. */

@@ -167,7 +167,7 @@ final class Newcomers {
     stopped.clear();
     stopped.add(i);
     for (int c = 0; c < stopped.size(); c++) { // the list grows
-      if (!findRunners(stopped.get(c))) {
+      if (!addWhoMeets(stopped.get(c))) {
         return false;
       }
     }
@@ -178,8 +178,8 @@ final class Newcomers {
     return true;
   }
 
-  /** Adds those that run into a circle that stands; false if one of them cannot stop. */
-  private boolean findRunners(int s) {
+  /** Adds who would meet a circle that stands to those that stop; false if one cannot stop. */
+  private boolean addWhoMeets(int s) {
     double x = members.xAt(s, now);
     double y = members.yAt(s, now);
     near.clear();
@@ -187,17 +187,17 @@ final class Newcomers {
     near.sort(0);
     for (int c = 0; c < near.size(); c++) {
       int j = near.get(c);
-      if (!stopped.contains(j) && runsInto(j, s, x, y)) {
+      if (!stopped.contains(j) && meets(j, s, x, y)) {
         stopped.add(j);
         if (!members.isAwake(j)) {
-          return false; // it rests on something that moves
+          return false; // it is carried
         }
       }
     }
-    return !isRunOver(s, x, y);
+    return !isMetByMover(s, x, y);
   }
 
-  private boolean runsInto(int j, int s, double x, double y) {
+  private boolean meets(int j, int s, double x, double y) {
     double dx = x - members.xAt(j, now);
     double dy = y - members.yAt(j, now);
     double d = Math.sqrt(dx * dx + dy * dy);
@@ -205,8 +205,8 @@ final class Newcomers {
     return gap * d < (members.ux[j] * dx + members.uy[j] * dy) * time;
   }
 
-  /** Whether something that moves runs into a circle that stands. */
-  private boolean isRunOver(int s, double x, double y) {
+  /** Whether an obstacle that moves would meet a circle that stands. */
+  private boolean isMetByMover(int s, double x, double y) {
     boolean is = false;
     if (parts.areMoving()) {
       near.clear();
