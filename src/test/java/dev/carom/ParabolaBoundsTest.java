@@ -27,6 +27,7 @@ import java.util.Arrays;
 import java.util.List;
 import java.util.Map;
 import java.util.Set;
+import java.util.SplittableRandom;
 import java.util.TreeMap;
 import java.util.function.BiConsumer;
 import java.util.stream.Stream;
@@ -127,6 +128,28 @@ class ParabolaBoundsTest {
     assertThat(mistakes).isPositive();
   }
 
+  /** A disk flies up along the rim of another one, and falls back: there all is rounding. */
+  @Test
+  void theLeastSpeedOfAReturnHoldsAndIsNeeded() {
+    MethodHandle whole = Detector.whole().rim;
+    MethodHandle without = detector("DirectHit", 0x1p-24, 0).rim;
+    MethodHandle late = detector("DirectHit", 1 - 0x1p-20, 1).rim; // costs time only
+    SplittableRandom random = new SplittableRandom(SEED);
+    int mistakes = 0;
+    for (int i = 0; i < 4 * QUERIES; i++) {
+      double x = random.nextDouble(-1, 1);
+      double y = random.nextDouble(-1, 1);
+      double k = random.nextDouble(-1, 1);
+      double pull = random.nextDouble();
+      double[] n = {x, y, -k * y, k * x, pull * k * y, -pull * k * x, 0, 0, 0, 0, 100};
+      double truth = Falls.exactReturnToDisk(n);
+      assertThat((double) Detector.call(whole, n)).isEqualTo(truth);
+      assertThat((double) Detector.call(late, n)).isEqualTo(truth);
+      mistakes += (double) Detector.call(without, n) == truth ? 0 : 1;
+    }
+    assertThat(mistakes).isPositive();
+  }
+
   /**
    * Constants that cost time only: others send more questions to exact numbers, and none is
    * answered wrongly.
@@ -137,6 +160,7 @@ class ParabolaBoundsTest {
     others.put("the end of a fall as computed", detector("FallSweep", 1.001, 1));
     others.put("wide intervals only", detector("GapSearch", 0x1p-44, 0x1p-10));
     others.put("a search from just before an entry", detector("GapSearch", 1 - 0x1p-20, 1));
+    others.put("a long first part of a flight", detector("DirectHit", 0x1p-5, 1));
     others.put("a wide margin", new Detector((name, pool) -> margin(0x1p-10, name, pool)));
     others.put("a narrow margin", new Detector((name, pool) -> margin(0x1p-30, name, pool)));
     for (ParabolaFamily family : families()) {
@@ -301,6 +325,7 @@ class ParabolaBoundsTest {
     private final MethodHandle disk;
     private final MethodHandle wall;
     private final MethodHandle side;
+    private final MethodHandle rim;
     private final MethodHandle normal;
 
     static Detector whole() {
@@ -318,6 +343,7 @@ class ParabolaBoundsTest {
       disk = handle(classes, Falls.class, "timeOfDisk", 1);
       wall = handle(classes, ParabolaWallSweep.class, "time", 7);
       side = handle(classes, Falls.class, "returnToSide", 1);
+      rim = handle(classes, Falls.class, "returnToDisk", 1);
       normal = handle(classes, Falls.class, "normal", 1);
     }
 

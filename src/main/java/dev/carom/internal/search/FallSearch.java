@@ -6,6 +6,7 @@ import dev.carom.internal.state.Codes;
 import dev.carom.internal.state.MovingCircle;
 import dev.carom.internal.state.ObstacleRows;
 import dev.carom.internal.state.ObstacleTable;
+import dev.carom.internal.sweep.Fall;
 import dev.carom.internal.sweep.LineShape;
 import dev.carom.internal.sweep.ObstacleShape;
 import dev.carom.internal.sweep.UnitVectors;
@@ -249,7 +250,7 @@ final class FallSearch extends FallTimes {
    * far beyond that such a tie is no matter of rounding at the end of the window.
    */
   private double asked() {
-    return to * (1 + 0x1p-20) + Double.MIN_VALUE;
+    return to * Fall.MORE + Double.MIN_VALUE;
   }
 
   /**

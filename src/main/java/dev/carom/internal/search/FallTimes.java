@@ -8,6 +8,7 @@ import dev.carom.internal.state.Codes;
 import dev.carom.internal.state.MovingCircle;
 import dev.carom.internal.state.ObstacleTable;
 import dev.carom.internal.sweep.Contact;
+import dev.carom.internal.sweep.Fall;
 import dev.carom.internal.sweep.FallReturn;
 import dev.carom.internal.sweep.FallSweep;
 import dev.carom.internal.sweep.ParabolaWallSweep;
@@ -24,9 +25,6 @@ abstract class FallTimes extends CellWalk {
 
   /** In units of the terms of a place: far more than its rounding. */
   private static final double ROUNDING = 0x1p-40;
-
-  /** Far more than the rounding of a time of return. */
-  private static final double EARLIER = 1 - 0x1p-20;
 
   FallTimes(ObstacleTable obstacles, CodeSet loose) {
     super(obstacles, loose);
@@ -152,7 +150,7 @@ abstract class FallTimes extends CellWalk {
     double ny = py - (fall.ay + part * (fall.by - fall.ay));
     double nn = nx * nx + ny * ny;
     double sum = r + fall.radius;
-    double reach = EARLIER * sum;
+    double reach = Fall.LESS * sum;
     if (!(nn > reach * reach)) {
       return 0; // it overlaps that, and may come deeper; or n is NaN
     }
@@ -176,7 +174,7 @@ abstract class FallTimes extends CellWalk {
     if (isAtEnd && !(overlap * pull <= 0x1p-22 * (away * away))) {
       return 0;
     }
-    return pull > 0 ? EARLIER * (2 * away / pull) : NEVER;
+    return pull > 0 ? Fall.LESS * (2 * away / pull) : NEVER;
   }
 
   /** Whether a line or a peg at rest was hit last. The return to a wall is computed as fast. */

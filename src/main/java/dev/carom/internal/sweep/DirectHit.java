@@ -60,12 +60,6 @@ final class DirectHit {
   /** The first part of a flight from what is touched, of the way to the height of the start. */
   private static final double FIRST_PART = 0x1p-5;
 
-  /** Far more than the rounding of a time at which a height is again that at the start. */
-  private static final double EARLIER = 1 - 0x1p-20;
-
-  /** How far beyond a window's end, in proportion, a rough time may be that is within it. */
-  private static final double LATER = 1 + 0x1p-20;
-
   /** A speed along the normal is above this part of its terms, or its rounding may count. */
   private static final double LEAST_SPEED = 0x1p-24;
 
@@ -230,7 +224,7 @@ final class DirectHit {
       return DOUBT;
     }
     level = pull > 0 ? 2 * speed / pull : NEVER;
-    since = EARLIER * level;
+    since = Fall.LESS * level;
     return since < windowEnd ? atPoint(level) : NEVER;
   }
 
@@ -262,7 +256,7 @@ final class DirectHit {
   /** The time of a hit on the side. */
   private double atSide() {
     double t = entry(ex, ey);
-    if (!(t < LATER * windowEnd)) {
+    if (!(t < Fall.MORE * windowEnd)) {
       return unlessMissed(windowEnd);
     }
     double side = Math.copySign(1, ex * dy - ey * dx);
@@ -355,7 +349,7 @@ final class DirectHit {
       t += step;
       isNear = Math.abs(step) <= NEAR * t;
     }
-    if (!touches || !(t > 0 && t < LATER * windowEnd)) {
+    if (!touches || !(t > 0 && t < Fall.MORE * windowEnd)) {
       return unlessMissed(Math.min(Math.max(t, since), windowEnd));
     }
     boolean isAtEnd = !f.isLine || staysAtEnd() || isInFront(-ex, -ey, t);

@@ -21,6 +21,13 @@ import dev.carom.internal.exact.Ring;
 public final class Fall {
 
   /**
+   * Factors by which a time or a distance becomes certainly less, or more, however it is rounded.
+   */
+  public static final double LESS = 1 - GapRoot.MARGIN;
+
+  public static final double MORE = 1 + GapRoot.MARGIN;
+
+  /**
    * A projection on the line, or a height, at a rounded time: differences 2, products 3, sums 3, of
    * the terms; half an ulp of time moves it by 1 of twice the terms: 10 u, and the terms are
    * computed.

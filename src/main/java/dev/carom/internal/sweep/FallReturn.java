@@ -126,7 +126,7 @@ public final class FallReturn {
     Fall end = f.end(region);
     double time = end.filter.time(back, FallSweep.windowEnd(end, T));
     if (!(time > back)) {
-      double start = back * (1 - GapRoot.MARGIN);
+      double start = Fall.LESS * back;
       time = FallSweep.searched(end, GapSearch.FIRST_AFTER, start, T);
     }
     return time > back ? time : GapRoot.DOUBT;

@@ -45,9 +45,6 @@ final class GapSearch {
   /** The least interval, of its end. Further halving costs time, and hardly tells more. */
   private static final double LEAST_WIDTH = 0x1p-44;
 
-  /** How far before a time, in proportion, an interval ends or begins that shall not have it. */
-  private static final double MARGIN = 0x1p-20;
-
   /** The cost of the polynomials, for the budget: measured, 2 to 4 us. */
   private static final int BITS_PER_SEARCH = 24_576;
 
@@ -173,7 +170,7 @@ final class GapSearch {
   private double entry(double s, double reach, double T) {
     isEntry = true;
     after = s;
-    return search(Math.max(0, s * (1 - MARGIN)), NEVER, reach, T);
+    return search(Math.max(0, s * Fall.LESS), NEVER, reach, T);
   }
 
   private double returnTo(int region, double reach, double T) {
@@ -347,8 +344,8 @@ final class GapSearch {
 
   /** The end of an interval just before a time, or, from just before it, just after it. */
   private double beside(double border) {
-    double margin = MARGIN * border;
-    return border - margin > low ? border - margin : border + margin;
+    double before = Fall.LESS * border;
+    return before > low ? before : Fall.MORE * border;
   }
 
   private static boolean isOne(int regions) {

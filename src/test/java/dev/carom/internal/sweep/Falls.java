@@ -51,8 +51,16 @@ public final class Falls {
 
   /** Without radii: they do not matter. */
   public static double returnToDisk(double... q) {
-    Fall fall = disk(q[0], q[1], 0, q[2], q[3], q[4], q[5], q[6], q[7], 0, q[8], q[9]);
-    return FallReturn.time(fall, q[10]);
+    return FallReturn.time(touchedDisk(q), q[10]);
+  }
+
+  /** The same by algebraic numbers. */
+  public static double exactReturnToDisk(double... q) {
+    return FallReturn.exact(touchedDisk(q)).time(q[10]);
+  }
+
+  private static Fall touchedDisk(double... q) {
+    return disk(q[0], q[1], 0, q[2], q[3], q[4], q[5], q[6], q[7], 0, q[8], q[9]);
   }
 
   public static double returnToLine(double... q) {

@@ -65,8 +65,7 @@ class ParabolaReturnTest {
       double disk = Falls.returnToDisk(n[0], n[1], n[2], n[3], gx, n[5], n[6], n[7], 0, 0, T);
       assertThat(disk)
           .isEqualTo(
-              FallReturn.exact(Falls.disk(n[0], n[1], 0, n[2], n[3], gx, n[5], n[6], n[7], 0, 0, 0))
-                  .time(T));
+              Falls.exactReturnToDisk(n[0], n[1], n[2], n[3], gx, n[5], n[6], n[7], 0, 0, T));
       double side = Falls.returnToSide(1, n[2], n[3], gx, n[5], n[0], n[1], n[6], n[7], 0, 0, T);
       assertThat(side)
           .isEqualTo(
