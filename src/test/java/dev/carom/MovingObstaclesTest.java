@@ -135,7 +135,7 @@ class MovingObstaclesTest {
 
   /**
    * Each impact adds 2 to the speed, and the speed times the gap stays about 36. So the gap is
-   * about 0.02 after the 1,024 impacts that make the circle stuck, and it stops within that.
+   * about 0.01 after the 1,536 impacts that make the circle stuck, and it stops within that.
    */
   @Test
   void twoMovingLinesSqueezeACircle() {
