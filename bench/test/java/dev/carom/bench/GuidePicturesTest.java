@@ -29,15 +29,23 @@ class GuidePicturesTest {
 
   private static final Path FOLDER = Path.of("../src/main/javadoc/dev.carom/dev/carom/doc-files");
 
+  private static final String TOUCH_HEAD =
+      """
+      <svg xmlns="http://www.w3.org/2000/svg" viewBox="0 0 640 215" width="640" height="215" font-family="Helvetica, Arial, DejaVu Sans, sans-serif" font-size="14" text-anchor="middle">
+        <title>An impact needs both: the circle touches or overlaps the line, and comes nearer to it</title>
+        <rect width="640" height="215" rx="6" fill="#FFFFFF"/>
+      """;
+
   private static final Map<String, Supplier<String>> PICTURES =
       Map.of(
           "sweep.svg", GuidePicturesTest::sweep,
+          "touch.svg", GuidePicturesTest::touch,
           "heap.svg", () -> moving("Balls fall, bounce, and rest in a heap", heap(), 360),
           "contact.svg", () -> moving("A ball slides over a joint and into a corner", bowl(), 300),
           "moving.svg", () -> moving("A line that moves pushes balls along", broom(), 200));
 
   @ParameterizedTest
-  @ValueSource(strings = {"sweep.svg", "heap.svg", "contact.svg", "moving.svg"})
+  @ValueSource(strings = {"sweep.svg", "touch.svg", "heap.svg", "contact.svg", "moving.svg"})
   void aPictureShowsWhatTheLibraryDoes(String name) throws IOException {
     String drawn = PICTURES.get(name).get();
     if ("write".equals(System.getProperty("carom.pictures"))) {
@@ -116,6 +124,45 @@ class GuidePicturesTest {
             260 - tip.y() + 5,
             hit.point().x() + 8,
             260 - hit.point().y() + 18);
+  }
+
+  /** Circles over a line, with their velocities, and when each of them hits it. */
+  private static String touch() {
+    return TOUCH_HEAD
+        + touch(0, "apart,", "comes nearer", 45, -40)
+        + touch(1, "touches,", "comes nearer", 30, -40)
+        + touch(2, "touches,", "leaves", 30, 40)
+        + touch(3, "overlaps,", "comes nearer", 20, -40)
+        + touch(4, "overlaps,", "leaves", 20, 40)
+        + "</svg>\n";
+  }
+
+  private static String touch(int panel, String how, String way, double height, double vy) {
+    double x = 64 + 128 * panel;
+    Line line = new Line(x - 50, 150, x + 50, 150);
+    SweptCircle circle = new SweptCircle(x, 150 + height, 30, 0, vy);
+    double time = circle.timeToLine(line.ax(), line.ay(), line.bx(), line.by(), 10);
+    Vec2 from = new Vec2(circle.x(), circle.y());
+    Vec2 tip = new Vec2(circle.x(), circle.y() + circle.vy());
+    String answer = time <= 10 ? String.format(Locale.ROOT, "impact at %.3g", time) : "no impact";
+    return """
+          <path d="%s" stroke="#22262B" stroke-width="3" stroke-linecap="round"/>
+          <circle %s r="30" fill="#56B4E9" fill-opacity="0.35" stroke="#0072B2" stroke-width="1.5"/>
+          <path d="%s" stroke="#D55E00" stroke-width="2.5"/><circle %s r="4.5" fill="#D55E00"/>
+          <text x="%.0f" y="155">%s</text><text x="%.0f" y="174">%s</text><text x="%.0f" y="200" font-weight="bold" fill="%s">%s</text>
+        """
+        .formatted(
+            path(new Vec2(line.ax(), line.ay()), new Vec2(line.bx(), line.by())),
+            at(from),
+            path(from, tip),
+            at(tip),
+            x,
+            how,
+            x,
+            way,
+            x,
+            time <= 10 ? "#D55E00" : "#22262B",
+            answer);
   }
 
   private static String path(Vec2 from, Vec2 to) {
