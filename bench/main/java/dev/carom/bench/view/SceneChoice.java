@@ -2,7 +2,6 @@
 package dev.carom.bench.view;
 
 import dev.carom.Scene;
-import dev.carom.bench.duel.Preset;
 import dev.carom.bench.reference.Reference;
 import dev.carom.bench.reference.References;
 import dev.carom.bench.stability.FailureMap;
@@ -37,11 +36,6 @@ record SceneChoice(String title, Supplier<Scene> scene, Supplier<Reference> trut
     } catch (IOException e) {
       throw new UncheckedIOException(e);
     }
-  }
-
-  /** One in which methods fail. */
-  static SceneChoice of(Preset preset) {
-    return new SceneChoice(preset.about(), preset::scene, preset::truth);
   }
 
   /** A cell of a map. */

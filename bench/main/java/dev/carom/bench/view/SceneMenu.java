@@ -2,7 +2,6 @@
 package dev.carom.bench.view;
 
 import dev.carom.bench.duel.Preset;
-import dev.carom.bench.duel.Rival;
 import dev.carom.bench.examples.ExampleWindow;
 import dev.carom.bench.examples.Examples;
 import dev.carom.bench.reference.References;
@@ -31,8 +30,8 @@ final class SceneMenu {
     menu.add(experiment);
     JMenu failures = new JMenu("Where methods fail");
     for (Preset preset : Preset.values()) {
-      JMenuItem item = item(SceneChoice.of(preset));
-      item.addActionListener(event -> showWhoFails());
+      JMenuItem item = new JMenuItem(preset.about());
+      item.addActionListener(event -> panel.duel(preset));
       failures.add(item);
     }
     menu.add(failures);
@@ -65,13 +64,6 @@ final class SceneMenu {
     JMenuItem item = new JMenuItem(choice.title());
     item.addActionListener(event -> show(choice));
     return item;
-  }
-
-  /** Alone such a scene has little to tell. */
-  private void showWhoFails() {
-    if (!panel.arena().isOpen()) {
-      panel.challenge(Rival.BOX2D);
-    }
   }
 
   private void show(SceneChoice choice) {

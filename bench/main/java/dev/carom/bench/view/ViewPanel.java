@@ -3,6 +3,7 @@ package dev.carom.bench.view;
 
 import dev.carom.Scene;
 import dev.carom.bench.duel.Duel;
+import dev.carom.bench.duel.Preset;
 import dev.carom.bench.duel.Rival;
 import dev.carom.bench.reference.Reference;
 import dev.carom.bench.view.ScenePainter.Layer;
@@ -81,6 +82,7 @@ public final class ViewPanel extends JPanel {
   private final JSlider gravity = new JSlider(0, 100, 0);
   private final JPanel layers = new JPanel(new WrapLayout(6, 0));
   private final JPanel foot = new JPanel(new BorderLayout());
+  private final JPanel duels = new JPanel(new WrapLayout(6, 4));
   private final JLabel status = new JLabel(" ");
   private transient Consumer<String> titled = title -> {};
   private boolean refreshing;
@@ -255,11 +257,38 @@ public final class ViewPanel extends JPanel {
     setSpeed();
     panes.remove(rivalPane);
     foot.remove(scorePane);
+    foot.remove(duels);
     if (rival != null) {
       panes.add(rivalPane);
-      foot.add(scorePane, BorderLayout.NORTH);
     }
+    foot.add(rival == null ? duels : scorePane, BorderLayout.NORTH);
     revalidate();
+  }
+
+  /** Offers scenes in which methods fail. */
+  private void addDuels() {
+    duels.add(new JLabel("Where others fail"));
+    for (Preset preset : Preset.values()) {
+      JButton button = new JButton(preset.toString());
+      button.setToolTipText(preset.about());
+      button.setFocusable(false);
+      button.addActionListener(event -> duel(preset));
+      duels.add(button);
+    }
+    duels.addComponentListener(new Rewrap(this));
+    if (rivals.isEnabled()) {
+      foot.add(duels, BorderLayout.NORTH);
+    }
+  }
+
+  /** Plays a scene in which methods fail, beside one of them. */
+  void duel(Preset preset) {
+    play(preset.about(), preset.scene(), preset.truth());
+    if (!arena.isOpen()) {
+      challenge(Rival.BOX2D);
+    }
+    player.setRunning(true);
+    told("");
   }
 
   /**
@@ -321,6 +350,7 @@ public final class ViewPanel extends JPanel {
     controls.add(status, BorderLayout.CENTER);
     controls.add(layers, BorderLayout.EAST);
     foot.add(controls, BorderLayout.SOUTH);
+    addDuels();
     return foot;
   }
 
