@@ -306,7 +306,7 @@ public final class Motion {
     return plain(x, digits);
   }
 
-  private static String plain(double x, int digits) {
+  static String plain(double x, int digits) {
     BigDecimal rounded = BigDecimal.valueOf(x).setScale(digits, RoundingMode.HALF_EVEN);
     return rounded.signum() == 0 ? "0" : rounded.stripTrailingZeros().toPlainString();
   }

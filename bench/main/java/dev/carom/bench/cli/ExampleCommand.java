@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 package dev.carom.bench.cli;
 
+import dev.carom.World;
+import dev.carom.bench.charts.Film;
 import dev.carom.bench.charts.Picture;
 import dev.carom.bench.charts.Style;
 import dev.carom.bench.examples.Example;
@@ -14,6 +16,7 @@ import java.awt.geom.Rectangle2D;
 import java.io.IOException;
 import java.nio.file.Path;
 import java.util.Arrays;
+import java.util.List;
 import java.util.concurrent.Callable;
 import picocli.CommandLine.Command;
 import picocli.CommandLine.Model.CommandSpec;
@@ -26,7 +29,7 @@ import picocli.CommandLine.Spec;
 @Command(
     name = "example",
     description = {
-      "Runs an example in a window, or draws it with --png, without a screen.",
+      "Runs an example in a window; --png draws it, --record films it, both without a screen.",
       "Without a name it lists them."
     },
     footer = {"", "Example: carom-bench example breakout"},
@@ -36,6 +39,12 @@ final class ExampleCommand implements Callable<Integer> {
 
   /** The height of the line under a picture, in pixels. */
   private static final int HINT = 30;
+
+  /** The usual frames of a moving picture: 12 seconds. */
+  private static final int FILM = 12 * Example.FRAMES;
+
+  /** A moving picture sees every second frame. */
+  private static final int STEP = 2;
 
   @Spec private CommandSpec spec;
 
@@ -49,22 +58,31 @@ final class ExampleCommand implements Callable<Integer> {
   private Path png;
 
   @Option(
+      names = "--record",
+      paramLabel = "FILE.svg",
+      description = "Write a moving picture, an SVG file, instead of opening a window.")
+  private Path film;
+
+  @Option(
       names = "--frames",
       paramLabel = "N",
-      description = "Frames that run before the picture (default: as suits the example).")
+      description =
+          "Frames that are recorded, or that run before the picture"
+              + " (default: as suits the example).")
   private Integer frames;
 
   @Override
   public Integer call() throws IOException {
-    if (name == null && (png != null || frames != null)) {
-      throw new ParameterException(
-          spec.commandLine(),
-          "NAME is missing: expected one of " + Arrays.toString(Examples.values()));
+    if (name == null && (png != null || film != null || frames != null)) {
+      throw refused("NAME is missing: expected one of " + Arrays.toString(Examples.values()));
     } else if (name == null) {
       list();
     } else if (png != null) {
       Bounded.atLeast(0, "--frames", frames == null ? 0 : frames, spec);
       draw();
+    } else if (film != null) {
+      Bounded.atLeast(STEP, "--frames", frames == null ? FILM : frames, spec);
+      record(name.after(1)); // which at billiards is the break
     } else {
       Windows.show(
           () -> {
@@ -74,6 +92,34 @@ final class ExampleCommand implements Callable<Integer> {
           });
     }
     return 0;
+  }
+
+  private void record(Example example) throws IOException {
+    World world =
+        Examples.filmed(example)
+            .orElseThrow(() -> refused("NAME is " + name + ": expected one of " + filmed()));
+    if (!film.toString().endsWith(".svg")) {
+      throw refused("--record is " + film + ": expected a name that ends in .svg");
+    }
+    OutputFile.prepare(film);
+    Film seen = new Film(world, (double) STEP / Example.FRAMES);
+    for (int frame = 0; frame <= (frames == null ? FILM : frames); frame++) {
+      if (frame % STEP == 0) {
+        seen.add(world);
+      }
+      example.frame();
+    }
+    WholeFile.write(film, seen.svg(name.about()));
+  }
+
+  private ParameterException refused(String message) {
+    return new ParameterException(spec.commandLine(), message);
+  }
+
+  private static List<Examples> filmed() {
+    return Arrays.stream(Examples.values())
+        .filter(each -> Examples.filmed(each.start()).isPresent())
+        .toList();
   }
 
   private void list() {

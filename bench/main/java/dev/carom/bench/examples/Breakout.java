@@ -35,7 +35,7 @@ public final class Breakout implements Example {
   private static final int PADDLE = BRICKS;
   private static final double HALF = 18; // of the paddle
   private static final double LEVEL = 10;
-  private World world = board();
+  World world = board();
   private final SceneDrawing drawing = SceneDrawing.of(world.scene()).withMargin(8);
   double paddle = WIDTH / 2; // its middle
   private double goal = Double.NaN;

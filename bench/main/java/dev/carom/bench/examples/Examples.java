@@ -2,7 +2,9 @@
 package dev.carom.bench.examples;
 
 import dev.carom.Vec2;
+import dev.carom.World;
 import java.util.Locale;
+import java.util.Optional;
 
 /** The examples by name. */
 public enum Examples {
@@ -72,6 +74,22 @@ public enum Examples {
       example.point(new Vec2(0.765, 0.52)); // at a ball
     }
     return example;
+  }
+
+  /** The world of an example of which a film of its things shows all that matters; else empty. */
+  public static Optional<World> filmed(Example example) {
+    return Optional.ofNullable(
+        example instanceof Breakout breakout
+            ? breakout.world
+            : example instanceof Billiards billiards
+                ? billiards.world
+                : example instanceof Pinball pinball
+                    ? pinball.world
+                    : example instanceof Plinko plinko
+                        ? plinko.world()
+                        : example instanceof Paddle paddle
+                            ? paddle.world()
+                            : example instanceof GameLoop loop ? loop.world() : null);
   }
 
   /** Its name in small letters. */
