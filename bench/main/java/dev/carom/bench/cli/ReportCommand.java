@@ -33,7 +33,7 @@ import picocli.CommandLine.Spec;
     description = {
       "Measures speed and accuracy of all methods and engines, and writes a report.",
       "The report is a page, its charts as PNG and SVG, and all numbers as JSON and"
-          + " CSV. Takes 47 minutes on two cores, with --quick about 10. A run that"
+          + " CSV. Takes 50 minutes on two cores, with --quick about 10. A run that"
           + " was interrupted goes on where it was."
     },
     footer = {"", "Example: carom-bench report --quick --out report"},
