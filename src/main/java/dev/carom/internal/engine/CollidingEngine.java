@@ -71,6 +71,9 @@ public final class CollidingEngine extends Engine {
   /** The end of the current step. */
   private double end;
 
+  /** No event comes before this time, ticks apart. */
+  private double quietUntil;
+
   /** Whether this step ends at the first impact. */
   private boolean stopsAtImpact;
 
@@ -145,6 +148,10 @@ public final class CollidingEngine extends Engine {
   @Override
   double play(double last, long work) {
     unfinished = false;
+    if (last < quietUntil && last < contacts.nextTick()) {
+      reached = last;
+      return last;
+    }
     end = last;
     prepare(last);
     if (outgrown || isRegionLeft()) {
@@ -167,7 +174,7 @@ public final class CollidingEngine extends Engine {
       double tick = contacts.nextTick();
       long solved = (contacts.work() - visits) / VISITS_PER_EVENT;
       long done = events + solved + work.impactsSince(before);
-      if (done >= budget && (tick <= end || scheduler.isAnyDue(end))) {
+      if (done >= budget && (tick <= end || scheduler.firstTime() <= end)) {
         unfinished = true;
         return done;
       }
@@ -180,6 +187,7 @@ public final class CollidingEngine extends Engine {
           continue;
         }
         reached = end;
+        quietUntil = scheduler.firstTime();
         return done;
       }
       advanceClock(scheduler.polledTime());
@@ -465,6 +473,7 @@ public final class CollidingEngine extends Engine {
   }
 
   private void putFlight(double[] s, int[] c, int i, MovingCircle m) {
+    quietUntil = reached;
     circles.storeNewFlight(s, c, i, m);
     invalidate(c, i);
     if (recorder != null) {
@@ -580,6 +589,7 @@ public final class CollidingEngine extends Engine {
 
   /** Schedules a new prediction of a circle for the next step, when all edits are done. */
   private void repredict(int i) {
+    quietUntil = reached;
     if (!outgrown) {
       scheduler.edit(i, reached);
     }

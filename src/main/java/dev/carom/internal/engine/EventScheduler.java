@@ -125,10 +125,10 @@ final class EventScheduler {
     return queue.first();
   }
 
-  /** Whether an event is due by a given time. */
-  boolean isAnyDue(double end) {
+  /** The time of the first event; infinite if there is none. */
+  double firstTime() {
     int i = queue.first();
-    return i != Index.NONE && queue.time(i) <= end;
+    return i == Index.NONE ? NEVER : queue.time(i);
   }
 
   /**
