@@ -159,7 +159,7 @@ public final class World implements Resolver {
     if (now + dt == now && dt > 0) {
       throw Check.refused("dt", dt, "0, or enough to move the clock on from " + now);
     }
-    advanceTo(now + dt);
+    advance(now + dt);
   }
 
   /**
@@ -176,9 +176,8 @@ public final class World implements Resolver {
    * @throws IllegalArgumentException if t is NaN, infinite, or earlier than now
    */
   public void advanceTo(double t) {
-    if (!advanceTo(t, engine.usualWork())) {
-      throw unfinished(t);
-    }
+    checkGoal(t);
+    advance(t + 0.0); // 0 for -0
   }
 
   /**
@@ -204,8 +203,16 @@ public final class World implements Resolver {
       throw Check.refused("work", work, "at least 1");
     }
     begin();
-    finish(engine.advance(t + 0.0, work)); // 0 for -0
+    finish(engine.advance(t + 0.0, work, false));
     return !engine.unfinished;
+  }
+
+  private void advance(double t) {
+    begin();
+    finish(engine.advance(t, engine.usualWork(), false));
+    if (engine.unfinished) {
+      throw unfinished(t);
+    }
   }
 
   /**
@@ -242,7 +249,7 @@ public final class World implements Resolver {
     }
     begin();
     do { // a tick or the end of a slide is no impact
-      finish(engine.advanceToImpact(t + 0.0, sharedLimit - engine.spent));
+      finish(engine.advance(t + 0.0, sharedLimit - engine.spent, true));
     } while (rows.size() == 0 && now < t && !isSharedSpent());
     if (isSharedSpent()) {
       sharedAt = Double.NaN;

@@ -109,21 +109,11 @@ public abstract class Engine {
    * do so once the world goes on: an edit may give them another motion before.
    *
    * @param work the budget
+   * @param toImpact whether to go no further than to the first double that is not before the next
+   *     impact, or the next event of another kind
    * @return the time reached
    */
-  public final double advance(double end, long work) {
-    return advance(end, work, false);
-  }
-
-  /**
-   * Advances all circles as {@link #advance} does, but no further than to the first double that is
-   * not before the next impact, or the next event of another kind.
-   */
-  public final double advanceToImpact(double end, long work) {
-    return advance(end, work, true);
-  }
-
-  private double advance(double end, long work, boolean toImpact) {
+  public final double advance(double end, long work, boolean toImpact) {
     long limit = spent + work;
     while (true) {
       double goal = Math.min(end, staticScene.obstacles.nextArrival());
@@ -154,7 +144,7 @@ public abstract class Engine {
   /** Advances all circles to a time before which no obstacle arrives, see {@link #advance}. */
   abstract double play(double end, long work);
 
-  /** The same, see {@link #advanceToImpact}. */
+  /** The same, no further than to the next impact. */
   abstract double playToImpact(double end, long work);
 
   /** The slot of the circle that spent most of the work of the last call, if that was too much. */

@@ -175,7 +175,7 @@ public final class ImpactRows {
    */
   public void add(double time, int circle, int code, int feature) {
     int named = obstacles.named(code, feature);
-    int itsFeature = obstacles.featureNamed(code, feature);
+    int itsFeature = named == code ? feature : Part.START;
     put(time, circle, Codes.kind(named), Codes.index(named), itsFeature);
   }
 

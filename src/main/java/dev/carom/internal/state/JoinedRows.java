@@ -56,6 +56,11 @@ final class JoinedRows {
     firsts[idLimit] = rows;
   }
 
+  /** Whether rows were ever joined. */
+  boolean areAny() {
+    return ids != null;
+  }
+
   /** One more than the largest id. */
   int idLimit() {
     return idLimit;

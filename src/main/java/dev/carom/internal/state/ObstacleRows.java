@@ -150,6 +150,11 @@ public final class ObstacleRows {
     return joints.isJoined(code - first());
   }
 
+  /** Whether any row belongs to the obstacle of the row before it. */
+  boolean areJoined() {
+    return joints.areAny();
+  }
+
   /** The numbers, within the kind, of the codes that belong to the obstacle of the one before. */
   public int[] joined() {
     return joints.joined();

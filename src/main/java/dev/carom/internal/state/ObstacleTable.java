@@ -294,10 +294,11 @@ public final class ObstacleTable {
 
   /**
    * The code by which a feature of an obstacle is named: where a side of an outline ends, that of
-   * the next side, which starts there.
+   * the next side, which starts there. Scenes without outlines never come to that: then compilers
+   * leave it out of the way of an impact, which is as large as they can inline.
    */
   public int named(int code, int feature) {
-    int next = feature == Part.END ? nextSide(code) : Index.NONE;
+    int next = feature == Part.END && lines.areJoined() ? nextSide(code) : Index.NONE;
     return next == Index.NONE ? code : next;
   }
 
