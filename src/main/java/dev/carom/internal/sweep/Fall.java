@@ -70,6 +70,11 @@ public final class Fall {
   public double wx;
   public double wy;
 
+  /** Whether the obstacle turns; then its velocity is 0. */
+  private boolean turns;
+
+  final Turn turn = new Turn();
+
   /** The first rung. */
   final DirectHit filter = new DirectHit(this);
 
@@ -149,7 +154,46 @@ public final class Fall {
     wx = bx - ax;
     wy = by - ay;
     isLine = ax != bx || ay != by;
+    turns = false;
     return this;
+  }
+
+  /**
+   * Lets the obstacle, which was set with the velocity 0, turn about a pivot, see {@link Turn}.
+   *
+   * @param q1 the real part of q; it does not turn if both are 0
+   */
+  public Fall turn(double pivotX, double pivotY, double q1, double q2) {
+    turn.set(pivotX, pivotY, q1, q2);
+    turns = q2 != 0; // c stays real without it
+    return this;
+  }
+
+  public boolean turns() {
+    return turns;
+  }
+
+  /** The angular velocity of an obstacle that turns. */
+  public double rate(double t) {
+    return turns ? turn.rate(t) : 0;
+  }
+
+  /** The velocity of the point of an obstacle that turns which is at (x, y) at a time. */
+  public double velocityX(double x, double y, double t) {
+    return -rate(t) * (y - turn.pivotY);
+  }
+
+  public double velocityY(double x, double y, double t) {
+    return rate(t) * (x - turn.pivotX);
+  }
+
+  /** The place at a time of the point of an obstacle that turns which starts at (x, y). */
+  public double placeX(double x, double y, double t) {
+    return turn.at(t).x(x, y);
+  }
+
+  public double placeY(double x, double y, double t) {
+    return turn.at(t).y(x, y);
   }
 
   /** The same question about one end of the line alone: that in a region of {@link Gaps}. */
