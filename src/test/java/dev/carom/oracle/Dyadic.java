@@ -142,6 +142,19 @@ public final class Dyadic implements Comparable<Dyadic> {
     return new Dyadic(above.m.shiftLeft(up).divide(below.m), above.e - up - below.e);
   }
 
+  /** The numbers over the greatest common divisor of their mantissas. */
+  static Dyadic[] primitive(Dyadic... numbers) {
+    BigInteger divisor = BigInteger.ZERO;
+    for (Dyadic number : numbers) {
+      divisor = divisor.gcd(number.m);
+    }
+    Dyadic[] parts = new Dyadic[numbers.length];
+    for (int i = 0; i < parts.length; i++) {
+      parts[i] = new Dyadic(numbers[i].m.divide(divisor), numbers[i].e);
+    }
+    return parts;
+  }
+
   /** A double next to this number: of its leading 62 bits; infinite beyond the range of doubles. */
   public double near() {
     Dyadic head = leading(62);

@@ -138,7 +138,12 @@ final class SturmPolynomial {
       SturmPolynomial scaled = rest.times(lead).plus(divisor.times(new SturmPolynomial(factor)));
       rest = lead.signum() < 0 ? scaled.negate() : scaled;
     }
-    return rest.negate();
+    return rest.negate().primitive();
+  }
+
+  /** This polynomial over a common divisor: numbers would else grow with a power of the degree. */
+  private SturmPolynomial primitive() {
+    return new SturmPolynomial(Dyadic.primitive(c));
   }
 
   private static List<SturmPolynomial> chain(SturmPolynomial f, SturmPolynomial g) {

@@ -40,10 +40,14 @@ public final class ExactParabola {
   /** The gaps by region; one gap if there is no line. */
   private final Polynomial[] gap;
 
-  private ExactParabola(Gaps<Polynomial> gaps, Polynomial... gap) {
+  /** Their rates. */
+  private final Polynomial[] rate;
+
+  private ExactParabola(Gaps<Polynomial> gaps, Polynomial[] gap, Polynomial[] rate) {
     boolean isLine = gap.length > 1;
     this.gaps = gaps;
     this.gap = gap;
+    this.rate = rate;
     alongStart = isLine ? gaps.fromStart() : NONE;
     alongEnd = isLine ? gaps.fromEnd() : NONE;
     height = isLine ? gaps.height() : NONE;
@@ -51,15 +55,23 @@ public final class ExactParabola {
 
   /** Against a line that has a length, or a disk. */
   public static ExactParabola of(Gaps<Polynomial> gaps, boolean isLine) {
-    Polynomial before = gaps.gap(Gaps.BEFORE);
-    return isLine
-        ? new ExactParabola(gaps, before, gaps.gap(Gaps.BESIDE), gaps.gap(Gaps.BEYOND))
-        : new ExactParabola(gaps, before);
+    Polynomial[] gap = new Polynomial[isLine ? Gaps.BEYOND + 1 : 1];
+    Polynomial[] rate = new Polynomial[gap.length];
+    for (int region = 0; region < gap.length; region++) {
+      gap[region] = gaps.gap(region);
+      rate[region] = gaps.rate(gap[region], region, Polynomial::derivative);
+    }
+    return new ExactParabola(gaps, gap, rate);
   }
 
   /** Against what has one gap everywhere: a wall, or the thing just hit. */
   public static ExactParabola ofGap(Polynomial gap) {
-    return new ExactParabola(null, gap);
+    return ofGap(gap, gap.derivative());
+  }
+
+  /** The same, with a rate of its own. */
+  static ExactParabola ofGap(Polynomial gap, Polynomial rate) {
+    return new ExactParabola(null, new Polynomial[] {gap}, new Polynomial[] {rate});
   }
 
   /** The time of impact; null for none up to the window's end T. */
@@ -159,6 +171,10 @@ public final class ExactParabola {
     return t.sign(alongStart) >= 0 && t.sign(alongEnd) <= 0;
   }
 
+  boolean turns() {
+    return gaps.turns();
+  }
+
   boolean isPoint() {
     return gaps != null && gaps.r().isZero();
   }
@@ -166,8 +182,10 @@ public final class ExactParabola {
   /** The same line, but for the gap in a region. */
   ExactParabola withGap(int region, ExactParabola other) {
     Polynomial[] others = gap.clone();
+    Polynomial[] rates = rate.clone();
     others[region] = other.gap[0];
-    return new ExactParabola(gaps, others);
+    rates[region] = other.rate[0];
+    return new ExactParabola(gaps, others, rates);
   }
 
   /** The end of the line in a region, as a disk. */
@@ -187,11 +205,11 @@ public final class ExactParabola {
    * their offset vanishes, it is the limit from before: against the velocity.
    */
   public UnitVector normal(RealRoot t) {
-    if (isPoint()) {
-      Polynomial speedX = gaps.x(Gaps.BEFORE).derivative();
-      return t.unit(NONE.minus(speedX), NONE.minus(gaps.y(Gaps.BEFORE).derivative()));
-    }
     int region = alongStart.isZero() ? Gaps.BEFORE : region(t);
+    if (isPoint()) {
+      Polynomial speedX = gaps.x(region).derivative();
+      return t.unit(NONE.minus(speedX), NONE.minus(gaps.y(region).derivative()));
+    }
     return t.unit(gaps.x(region), gaps.y(region));
   }
 
@@ -200,37 +218,48 @@ public final class ExactParabola {
     return signBefore(alongStart, t) > 0 && signBefore(alongEnd, t) < 0;
   }
 
-  /** The sign of a quadratic polynomial just before a time. */
+  /** The sign of a polynomial just before a time: of the first derivative that is not 0 then. */
   private static int signBefore(Polynomial f, RealRoot t) {
-    int at = t.sign(f);
-    int slope = -t.sign(f.derivative());
-    return at != 0 ? at : slope != 0 ? slope : t.sign(f.derivative().derivative());
+    int order = order(f, t);
+    Polynomial derivative = f;
+    for (int i = 0; i < order; i++) {
+      derivative = derivative.derivative();
+    }
+    return t.sign(derivative) * (order % 2 == 0 ? 1 : -1);
+  }
+
+  /** Which derivative of a polynomial is the first one that is not 0 at a time. */
+  private static int order(Polynomial f, RealRoot t) {
+    int order = 0;
+    for (Polynomial g = f; !g.isZero() && t.sign(g) == 0; g = g.derivative()) {
+      order++;
+    }
+    return order;
   }
 
   /** The times before a limit, null for none, at which the gap may begin to fall, in order. */
   private List<RealRoot> borders(RealRoot limit) {
     List<RealRoot> borders = new ArrayList<>();
     Stream.concat(
-            Stream.of(gap).flatMap(f -> Stream.of(f, f.derivative())),
-            Stream.of(alongStart, alongEnd))
+            Stream.concat(Stream.of(gap), Stream.of(rate)), Stream.of(alongStart, alongEnd))
         .forEach(f -> borders.addAll(f.positiveRoots(limit)));
     Collections.sort(borders, RealRoot::compare);
     return borders;
   }
 
-  /** The gap of the region in which the disk is at a time. */
-  private Polynomial gap(Dyadic t) {
-    return gap[gap.length == 1 ? 0 : region(RealRoot.at(t))];
+  /** The region in which the disk is at a time. */
+  private int region(Dyadic t) {
+    return gap.length == 1 ? 0 : region(RealRoot.at(t));
   }
 
   private int sign(Dyadic t) {
-    return gap(t).sign(t);
+    return gap[region(t)].sign(t);
   }
 
   /** Whether the gap at a time is not above 0 and falls. */
   private boolean falls(Dyadic t) {
-    Polynomial here = gap(t);
-    return here.sign(t) <= 0 && here.derivative().sign(t) < 0;
+    int here = region(t);
+    return gap[here].sign(t) <= 0 && rate[here].sign(t) < 0;
   }
 
   /** The first of the times that count at which a point comes to a point, or to a line. */
@@ -256,14 +285,17 @@ public final class ExactParabola {
         || t.sign(gaps.y(Gaps.BEFORE).derivative()) != 0;
   }
 
-  /** Whether a point that is in line with the line at a time hits it: from a side, or an end. */
+  /**
+   * Whether a point that is in line with the line at a time hits it: from a side, to which it
+   * passes to the other one, or an end.
+   */
   private boolean isMet(RealRoot t) {
     int start = t.sign(alongStart);
     int end = t.sign(alongEnd);
     if (start < 0 || end > 0) {
       return false;
     }
-    return t.sign(height.derivative()) != 0
+    return order(height.derivative(), t) % 2 == 0
         || (start == 0 && t.sign(alongStart.derivative()) > 0)
         || (end == 0 && t.sign(alongEnd.derivative()) < 0);
   }

@@ -23,6 +23,9 @@ public final class ExactReturn {
   /** The side of the line: +1 left, -1 right. */
   private final int side;
 
+  /** Whether the last answer is a time at which the disk is again as high above that side. */
+  private boolean isBack;
+
   /**
    * The return to a line or a disk.
    *
@@ -31,7 +34,8 @@ public final class ExactReturn {
    */
   public ExactReturn(Gaps<Polynomial> gaps, boolean isLine, int part, int side) {
     Polynomial gap = part == Gaps.BESIDE ? gaps.height().signed(side) : gaps.gap(part);
-    own = ExactParabola.ofGap(gap.fromStart());
+    Polynomial above = gaps.aboveStart(gap, Polynomial::constant).fromStart();
+    own = ExactParabola.ofGap(above, gaps.rate(above, Gaps.BEFORE, Polynomial::derivative));
     line = isLine ? ExactParabola.of(gaps, true) : null;
     this.part = part;
     this.side = side;
@@ -53,12 +57,13 @@ public final class ExactReturn {
     return part == Gaps.BESIDE ? fromSide(back, T) : fromEnd(back, T);
   }
 
-  /** A return to the side beyond an end of the line is none: that end can be hit from then on. */
+  /** A return to the side beyond an end of the line is none: the line can be hit from then on. */
   private RealRoot fromSide(RealRoot back, double T) {
-    if (back == null || line.isBeside(back)) {
+    isBack = back == null || line.isBeside(back);
+    if (isBack) {
       return back;
     }
-    return line.part(line.region(back)).firstFrom(back, T);
+    return line.turns() ? line.firstFrom(back, T) : line.part(line.region(back)).firstFrom(back, T);
   }
 
   private RealRoot fromEnd(RealRoot back, double T) {
@@ -80,6 +85,6 @@ public final class ExactReturn {
 
   /** The side of the line that is hit at a time: +1 left, -1 right. */
   public int side(RealRoot t) {
-    return part == Gaps.BESIDE ? side : line.side(t);
+    return isBack ? side : line.side(t);
   }
 }

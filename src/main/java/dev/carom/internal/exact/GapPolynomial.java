@@ -6,7 +6,7 @@ import java.util.Arrays;
 import java.util.List;
 
 /**
- * A polynomial in time, of degree 8 at most, whose signs and roots are certain.
+ * A polynomial in time, of degree 9 at most, whose signs and roots are certain.
  *
  * <p>It has one of two forms. The coefficients of the first form are rounded doubles. Beside each
  * stands its size: the sum of the absolute values of the terms that made it. The coefficients of
@@ -19,6 +19,14 @@ import java.util.List;
  * square, of which a coefficient is a sum of three, 11 u, {@code r^2 w.w} has 6 u: 12 u in all. In
  * that of an end an offset has 1 u, its square 5 u: 7 u in all. The bounds here take 14 u.
  *
+ * <p>Of an obstacle that turns ({@link TurningGaps}) c^2 and n have 2 u, the line W times c^2 5 u.
+ * With an offset, in a sum of six, that has 9 u, the constant times n 7 u, the height 11 u, its
+ * square, with five terms, 25 u, and {@code r^2 w.w n^2} less. So the gap of a side has 26 u, and
+ * that of an end 14 u: n 2 u, a square of the distance 7 u, a product of the two 12 u. The rate has
+ * 7 u more: of {@code g' n} 1 u is that of a derivative, 2 u those of n, 4 u a product, a sum of
+ * three and a difference, and a second difference has 1 u. It is 34 u in all, and the bounds take
+ * 38 u.
+ *
  * <p>Not safe for use by several threads.
  */
 public final class GapPolynomial implements Ring<GapPolynomial> {
@@ -29,7 +37,7 @@ public final class GapPolynomial implements Ring<GapPolynomial> {
   public static final int UNKNOWN = 2;
 
   /** The most coefficients. */
-  private static final int MOST = 9;
+  private static final int MOST = 10;
 
   private static final double U = 0x1p-53;
 
@@ -46,9 +54,12 @@ public final class GapPolynomial implements Ring<GapPolynomial> {
   /** A rounded coefficient, of its terms. */
   private static final double COEFFICIENT_BOUND = 16 * U;
 
+  /** What both bounds have besides if the obstacle turns. */
+  private static final double TURN_BOUND = 24 * U;
+
   /**
    * The value in double-double, of the terms, in {@code u^2}: a coefficient has 64, a product and a
-   * sum 5 and 4 for each degree: 136 for degree 8.
+   * sum 5 and 4 for each degree: 145 for degree 9.
    */
   private static final double VALUE_BOUND = 160 * U * U;
 
@@ -86,6 +97,11 @@ public final class GapPolynomial implements Ring<GapPolynomial> {
         }
 
         @Override
+        public GapPolynomial line(double p, double q, double v) {
+          return exact(Expansion.difference(p, q), Expansion.sum(v, 0));
+        }
+
+        @Override
         public GapPolynomial difference(double p, double q) {
           return exact(Expansion.difference(p, q));
         }
@@ -99,15 +115,24 @@ public final class GapPolynomial implements Ring<GapPolynomial> {
     private final List<GapPolynomial> all = new ArrayList<>();
     private int used;
 
-    /** Takes all polynomials back. */
-    public void reset() {
+    /** What bounds have besides. */
+    private double bound;
+
+    /** Takes all polynomials back, for a question about an obstacle that turns or not. */
+    public void reset(boolean turns) {
       used = 0;
+      bound = turns ? TURN_BOUND : 0;
     }
 
     @Override
     public GapPolynomial motion(double p, double q, double v, double u, double g) {
       double bend = g != 0 && 0.5 * g == 0 ? g : 0.5 * g; // not 0 if the half underflows
       return zero(3).set(0, p - q).set(1, v - u).set(2, bend);
+    }
+
+    @Override
+    public GapPolynomial line(double p, double q, double v) {
+      return zero(2).set(0, p - q).set(1, v);
     }
 
     @Override
@@ -130,6 +155,9 @@ public final class GapPolynomial implements Ring<GapPolynomial> {
   private final Expansion[] exact;
 
   private int length;
+
+  /** What the bounds have besides. */
+  private double bound;
 
   /** The rounded coefficients, the constant one first, and the sums of their absolute terms. */
   private final double[] c;
@@ -165,6 +193,7 @@ public final class GapPolynomial implements Ring<GapPolynomial> {
 
   private GapPolynomial clear(int newLength) {
     length = newLength;
+    bound = pool.bound;
     derivative = null;
     Arrays.fill(c, 0, newLength, 0);
     Arrays.fill(size, 0, newLength, 0);
@@ -254,6 +283,18 @@ public final class GapPolynomial implements Ring<GapPolynomial> {
     return derivative;
   }
 
+  /** The constant term. */
+  public GapPolynomial constant() {
+    GapPolynomial constant = zero(1);
+    if (exact != null) {
+      constant.exact[0] = exact[0];
+    } else {
+      constant.c[0] = c[0];
+      constant.size[0] = size[0];
+    }
+    return constant;
+  }
+
   /** This polynomial, times 1 or -1. */
   public GapPolynomial signed(int sign) {
     return sign > 0 ? this : zero(1).minus(this);
@@ -303,7 +344,7 @@ public final class GapPolynomial implements Ring<GapPolynomial> {
     if (exact != null) {
       return exact[i].isExact() ? exact[i].sign() : UNKNOWN;
     }
-    return size[i] == 0 ? 0 : certain(c[i], COEFFICIENT_BOUND * size[i]);
+    return size[i] == 0 ? 0 : certain(c[i], (COEFFICIENT_BOUND + bound) * size[i]);
   }
 
   private int certain(double value, double bound) {
@@ -452,7 +493,7 @@ public final class GapPolynomial implements Ring<GapPolynomial> {
 
   /** A bound of the rounding of a value, or of a Bernstein coefficient on an interval up to t. */
   private double bound(double t) {
-    return (PLACE_BOUND + length * STEP_BOUND) * terms(t) + TINY * power(t);
+    return (PLACE_BOUND + bound + length * STEP_BOUND) * terms(t) + TINY * power(t);
   }
 
   /** The n-th power of the time, or 1: what underflow is multiplied with. */
@@ -505,6 +546,23 @@ public final class GapPolynomial implements Ring<GapPolynomial> {
     BoundedNumber value = value(t, 0);
     int sign = certain(value.head(), VALUE_BOUND * value.terms() + width * slope);
     boolean isTie = sign == UNKNOWN && derivative().signAt(t, 0) == 0 && signAt(t, 0) == 0;
+    return isTie ? 0 : sign;
+  }
+
+  /**
+   * The same of a gap with a rate of its own, that is monotone and 0 within a width of t. From t on
+   * it changes by no more than the width times the rate at t, times a factor.
+   */
+  public int signAtTurn(double t, double width, GapPolynomial rate, double factor) {
+    prepare();
+    rate.prepare();
+    double change = factor * width * (Math.abs(rate.value(t)) + rate.bound(t));
+    if (exact == null) {
+      return certain(value(t), bound(t) + change);
+    }
+    BoundedNumber value = value(t, 0);
+    int sign = certain(value.head(), VALUE_BOUND * value.terms() + change);
+    boolean isTie = sign == UNKNOWN && rate.signAt(t, 0) == 0 && signAt(t, 0) == 0;
     return isTie ? 0 : sign;
   }
 

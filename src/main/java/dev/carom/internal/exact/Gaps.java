@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 package dev.carom.internal.exact;
 
+import java.util.function.UnaryOperator;
+
 /**
  * The equations of a contact: the gap between a disk and an obstacle, as a polynomial in time.
  *
@@ -10,9 +12,10 @@ package dev.carom.internal.exact;
  * line, where the factor w.w spares a division. Here d is the offset of the moving centre from that
  * end. The disk touches the obstacle when the gap of the region of its centre is 0.
  *
- * <p>The equations stand here once, for each kind of {@link Numbers}.
+ * <p>The equations stand here once, for each kind of {@link Numbers}; those of what turns in {@link
+ * TurningGaps}.
  */
-public final class Gaps<P extends Ring<P>> {
+public class Gaps<P extends Ring<P>> {
 
   /** The region before the start of a line, and the only one of a disk. */
   public static final int BEFORE = 0;
@@ -93,5 +96,26 @@ public final class Gaps<P extends Ring<P>> {
   /** The projection on the line, from its end: {@code w.(d - w)}. At least 0 beyond the line. */
   public P fromEnd() {
     return wx.times(endX).plus(wy.times(endY));
+  }
+
+  /** Whether the obstacle turns. */
+  public boolean turns() {
+    return false;
+  }
+
+  /**
+   * A polynomial with the sign of the rate of a gap. {@link TurningGaps} have gaps with positive
+   * factors, so it is not the derivative of the polynomial.
+   */
+  public P rate(P gap, int region, UnaryOperator<P> derivative) {
+    return derivative.apply(gap);
+  }
+
+  /**
+   * A polynomial with the sign of the gap of an end, or of a height, less its value at the start;
+   * but for a constant term.
+   */
+  public P aboveStart(P gap, UnaryOperator<P> atStart) {
+    return gap;
   }
 }

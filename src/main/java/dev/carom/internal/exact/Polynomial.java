@@ -25,6 +25,11 @@ public final class Polynomial implements Ring<Polynomial> {
         }
 
         @Override
+        public Polynomial line(double p, double q, double v) {
+          return of(Dyadic.difference(p, q), Dyadic.of(v));
+        }
+
+        @Override
         public Polynomial difference(double p, double q) {
           return of(Dyadic.difference(p, q));
         }
@@ -41,7 +46,7 @@ public final class Polynomial implements Ring<Polynomial> {
     this.c = Arrays.copyOf(c, length);
   }
 
-  /** The polynomial with these coefficients, the constant one first; at most of degree 4. */
+  /** The polynomial with these coefficients, the constant one first. */
   public static Polynomial of(Dyadic... coefficients) {
     return new Polynomial(coefficients);
   }
@@ -102,6 +107,16 @@ public final class Polynomial implements Ring<Polynomial> {
     return new Polynomial(Arrays.copyOfRange(c, Math.min(1, c.length), c.length));
   }
 
+  /** The constant term. */
+  public Polynomial constant() {
+    return of(at(0));
+  }
+
+  /** The sign just after 0. */
+  public int firstSign() {
+    return Arrays.stream(c).mapToInt(Dyadic::sign).filter(sign -> sign != 0).findFirst().orElse(0);
+  }
+
   /** This polynomial less its value at 0. Its slope there counts as 0 if it is negative. */
   public Polynomial fromStart() {
     Dyadic[] gap = c.clone();
@@ -133,12 +148,15 @@ public final class Polynomial implements Ring<Polynomial> {
     return value(t).sign();
   }
 
-  /** The greatest common divisor, up to a factor. */
+  /**
+   * The greatest common divisor, up to a factor. Each remainder is divided by what its coefficients
+   * have in common: their lengths would else grow with a power of the degree.
+   */
   Polynomial gcd(Polynomial that) {
     Polynomial a = this;
     Polynomial b = that;
     while (!b.isZero()) {
-      Polynomial rest = a.remainder(b);
+      Polynomial rest = a.remainder(b).reduced();
       a = b;
       b = rest;
     }

@@ -208,8 +208,10 @@ public final class RealRoot {
     if (size.sign() == 0 || high.minus(low).minus(low).sign() >= 0) {
       return 0;
     }
-    // |x(t) - x(low)| <= n (high - low) / low times the terms at high, with n <= 2 < 2^3 / 4.
-    return terms.magnitude() + width.magnitude() - low.magnitude() - size.magnitude() + 6;
+    // |x(t) - x(low)| <= n (high - low) / low times the terms at high, with n <= 2 < 2^3 / 4, or
+    // n <= 4 for what turns.
+    int degree = Math.max(x.degree(), y.degree()) > 2 ? 1 : 0;
+    return terms.magnitude() + width.magnitude() - low.magnitude() - size.magnitude() + 6 + degree;
   }
 
   /** Halfway between a double and its upper neighbour, which is 2^1024 for the largest. */

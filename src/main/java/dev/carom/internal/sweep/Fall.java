@@ -7,6 +7,7 @@ import dev.carom.internal.exact.GapPolynomial;
 import dev.carom.internal.exact.Gaps;
 import dev.carom.internal.exact.Numbers;
 import dev.carom.internal.exact.Ring;
+import dev.carom.internal.exact.TurningGaps;
 
 /**
  * A question to the detector: a disk with a constant acceleration, which may be 0, and an obstacle.
@@ -33,6 +34,13 @@ public final class Fall {
    * computed.
    */
   private static final double PLACE_BOUND = 16 * 0x1p-53;
+
+  /**
+   * The same seen from an obstacle that turns. Times |c|^2 it is a polynomial of degree 4, so half
+   * an ulp of time moves it by 4 u of the terms. The line times c^2 has 7 u, an offset 5 u, and a
+   * sum of three products 4 u: 20 u, and the terms are computed.
+   */
+  private static final double TURNED_BOUND = 32 * 0x1p-53;
 
   private static final double TINY = 0x1p-600;
 
@@ -80,6 +88,11 @@ public final class Fall {
 
   /** Its numbers are used again and again; null before the first question that comes to it. */
   private GapSearch search;
+
+  /** Those for what turns; null before the first question about it. */
+  private TurnWindow turnWindow;
+
+  private TurningRoot turningRoot;
 
   /** The question about an end; null before the first one. */
   private Fall end;
@@ -189,11 +202,11 @@ public final class Fall {
 
   /** The place at a time of the point of an obstacle that turns which starts at (x, y). */
   public double placeX(double x, double y, double t) {
-    return turn.at(t).x(x, y);
+    return turn.at(t).placeX(x, y);
   }
 
   public double placeY(double x, double y, double t) {
-    return turn.at(t).y(x, y);
+    return turn.at(t).placeY(x, y);
   }
 
   /** The same question about one end of the line alone: that in a region of {@link Gaps}. */
@@ -202,7 +215,8 @@ public final class Fall {
       end = new Fall();
     }
     boolean isEnd = region == Gaps.BEYOND;
-    return end.flight(px, py, r, vx, vy, gx, gy).disk(isEnd ? bx : ax, isEnd ? by : ay, 0, ux, uy);
+    end.flight(px, py, r, vx, vy, gx, gy).disk(isEnd ? bx : ax, isEnd ? by : ay, 0, ux, uy);
+    return turns ? end.turn(turn.pivotX, turn.pivotY, turn.q1, turn.q2) : end;
   }
 
   /** The second rung. */
@@ -213,9 +227,24 @@ public final class Fall {
     return search;
   }
 
+  /** The first rung of what turns. */
+  TurnWindow turnWindow() {
+    if (turnWindow == null) {
+      turnWindow = new TurnWindow(this);
+    }
+    return turnWindow;
+  }
+
+  TurningRoot turningRoot() {
+    if (turningRoot == null) {
+      turningRoot = new TurningRoot(this);
+    }
+    return turningRoot;
+  }
+
   /** The gaps on one rung of precision. */
   <P extends Ring<P>> Gaps<P> gaps(Numbers<P> of) {
-    return gaps(of, new Gaps<>());
+    return turns ? turningGaps(of, new TurningGaps<>()) : gaps(of, new Gaps<>());
   }
 
   /** The same, put into given ones. */
@@ -228,17 +257,56 @@ public final class Fall {
     return out.set(x, y, endX, endY, line, of.difference(by, ay), of.difference(r, -radius));
   }
 
+  /** The gaps of an obstacle that turns, put into given ones. */
+  <P extends Ring<P>> TurningGaps<P> turningGaps(Numbers<P> of, TurningGaps<P> out) {
+    double pivotX = turn.pivotX;
+    double pivotY = turn.pivotY;
+    P startX = of.difference(ax, pivotX);
+    P startY = of.difference(ay, pivotY);
+    return out.turn(of.line(1, 0, turn.q1), of.line(0, 0, turn.q2))
+        .set(
+            gx == 0 ? of.line(px, pivotX, vx) : of.motion(px, pivotX, vx, 0, gx),
+            gy == 0 ? of.line(py, pivotY, vy) : of.motion(py, pivotY, vy, 0, gy),
+            startX,
+            startY,
+            isLine ? of.difference(bx, pivotX) : startX,
+            isLine ? of.difference(by, pivotY) : startY,
+            of.difference(bx, ax),
+            of.difference(by, ay),
+            of.difference(r, -radius));
+  }
+
   public boolean isStraight() {
     return gx == 0 && gy == 0;
   }
 
-  /** The offset from the start of the obstacle at a time, with the rounding of plain doubles. */
+  /**
+   * The offset from the start of the obstacle at a time, with the rounding of plain doubles; as
+   * seen from an obstacle that turns, which stays where it starts.
+   */
   public double roughX(double t) {
-    return dx + (sx + 0.5 * gx * t) * t;
+    return turns ? turnedBackX(t) : dx + (sx + 0.5 * gx * t) * t;
   }
 
   public double roughY(double t) {
-    return dy + (sy + 0.5 * gy * t) * t;
+    return turns ? turnedBackY(t) : dy + (sy + 0.5 * gy * t) * t;
+  }
+
+  private double turnedBackX(double t) {
+    return turn.at(t).backX(fromPivotX(t), fromPivotY(t)) - (ax - turn.pivotX);
+  }
+
+  private double turnedBackY(double t) {
+    return turn.at(t).backY(fromPivotX(t), fromPivotY(t)) - (ay - turn.pivotY);
+  }
+
+  /** The place of the centre, seen from the pivot. */
+  double fromPivotX(double t) {
+    return (px - turn.pivotX) + (vx + 0.5 * gx * t) * t;
+  }
+
+  double fromPivotY(double t) {
+    return (py - turn.pivotY) + (vy + 0.5 * gy * t) * t;
   }
 
   /** The offset from a point q of the obstacle at a time, without its rounding error. */
@@ -291,6 +359,9 @@ public final class Fall {
 
   /** The sign of e.(p(t) - q), which is 0 if it is so all the time. */
   private int along(double qx, double qy, double ex, double ey, double t) {
+    if (turns) {
+      return turnedAlong(qx - turn.pivotX, qy - turn.pivotY, ex, ey, t);
+    }
     boolean isZeroX = ex == 0 || (px == qx && sx == 0 && gx == 0);
     if (isZeroX && (ey == 0 || (py == qy && sy == 0 && gy == 0))) {
       return 0;
@@ -300,6 +371,25 @@ public final class Fall {
     double terms = Math.abs(ex) * sizeX(qx, late) + Math.abs(ey) * sizeY(qy, late);
     double bound = fma(PLACE_BOUND, terms, TINY);
     boolean isCertain = Math.abs(value) > bound && t < MOST && Math.abs(ex) + Math.abs(ey) < MOST;
+    return isCertain ? UnitVectors.sign(value) : GapPolynomial.UNKNOWN;
+  }
+
+  /** The same of a vector that turns, and an end q of the line, seen from the pivot. */
+  private int turnedAlong(double qx, double qy, double ex, double ey, double t) {
+    turn.at(t);
+    double lineX = ex * turn.re - ey * turn.im;
+    double lineY = ex * turn.im + ey * turn.re;
+    double value = lineX * fromPivotX(t) + lineY * fromPivotY(t) - (ex * qx + ey * qy) * turn.n;
+    double late = t + GapRoot.EARLIEST;
+    double growth = 1 + (Math.abs(turn.q1) + Math.abs(turn.q2)) * late; // at least |c|
+    double sizes =
+        Math.abs(qx)
+            + Math.abs(qy)
+            + Offset.size(px - turn.pivotX, vx, gx, late)
+            + Offset.size(py - turn.pivotY, vy, gy, late);
+    double terms = (Math.abs(ex) + Math.abs(ey)) * sizes * growth * growth;
+    double bound = fma(TURNED_BOUND, terms, TINY);
+    boolean isCertain = Math.abs(value) > bound && t < MOST && terms < MOST;
     return isCertain ? UnitVectors.sign(value) : GapPolynomial.UNKNOWN;
   }
 }

@@ -79,6 +79,9 @@ public final class FallReturn {
    * of {@code s.s + d.g}.
    */
   public static double time(Fall f, double T) {
+    if (f.turns()) {
+      return TurningSweep.timeOfReturn(f, T);
+    }
     if (f.isStraight()) {
       return NEVER;
     }
@@ -96,7 +99,7 @@ public final class FallReturn {
   }
 
   /** The region in which the disk touches the obstacle. */
-  private static int region(Fall f) {
+  static int region(Fall f) {
     if (!f.isLine || Predicates.dot(f.px, f.py, f.ax, f.ay, f.bx, f.by, f.ax, f.ay) <= 0) {
       return Gaps.BEFORE;
     }
@@ -133,7 +136,7 @@ public final class FallReturn {
   }
 
   /** Whether a disk that is back at its height above a side, at t, is exactly at an end of it. */
-  private static boolean isAtEnd(Fall f, int side, double t) {
+  static boolean isAtEnd(Fall f, int side, double t) {
     Gaps<GapPolynomial> gaps = f.gaps(GapPolynomial.EXACT);
     boolean isAtEnd = gaps.fromStart().signAt(t, 0) == 0 || gaps.fromEnd().signAt(t, 0) == 0;
     return isAtEnd && rise(f, side).fallsAt(t);
@@ -141,7 +144,8 @@ public final class FallReturn {
 
   /** The height above that at the start, times the length of the line. */
   private static GapPolynomial rise(Fall f, int side) {
-    return f.gaps(GapPolynomial.EXACT).height().signed(side).counted();
+    Gaps<GapPolynomial> gaps = f.gaps(GapPolynomial.EXACT);
+    return gaps.aboveStart(gaps.height().signed(side), GapPolynomial::constant).counted();
   }
 
   /**
@@ -191,10 +195,13 @@ public final class FallReturn {
    * centre on the line, is the one to which it leaves; without a speed the acceleration pulls it
    * off.
    */
-  private static int side(Fall f) {
+  static int side(Fall f) {
     int place = Predicates.cross(f.bx, f.by, f.ax, f.ay, f.px, f.py, f.ax, f.ay);
     if (f.r > 0 && place != 0) {
       return place;
+    }
+    if (f.turns()) {
+      return TurningSweep.leavesTo(f, place);
     }
     int speed = Predicates.cross(f.bx, f.by, f.ax, f.ay, f.vx, f.vy, f.ux, f.uy);
     if (speed != 0 || place != 0) {
@@ -214,12 +221,14 @@ public final class FallReturn {
       return Contact.START | now;
     }
     int from = region(f);
-    int side = from == Gaps.BESIDE ? side(f) : f.side(t);
+    int side = from != Gaps.BESIDE ? f.side(t) : f.turns() ? TurningSweep.side(f, t) : side(f);
     int region = f.region(t);
     if (region == Gaps.UNKNOWN) {
       GapSearch search = f.search().exactly();
       region =
-          from == Gaps.BESIDE ? search.regionAt(t, rise(f, side)) : search.from(from).regionAt(t);
+          from == Gaps.BESIDE
+              ? search.regionAt(t, rise(f, side(f)))
+              : search.from(from).regionAt(t);
     }
     int contact = FallSweep.contact(region, side);
     if (contact == Contact.DOUBT) {

@@ -42,6 +42,9 @@ public final class FallSweep {
    * @param about the expected time; infinite or NaN for none
    */
   public static double time(Fall f, double about, double T) {
+    if (f.turns()) {
+      return TurningSweep.time(f, T);
+    }
     if (f.isStraight()) {
       return straightTime(f, straightContact(f), T);
     }
@@ -61,6 +64,9 @@ public final class FallSweep {
   public static double timeAfter(Fall f, double s, double T) {
     if (!(s < T)) {
       return NEVER;
+    }
+    if (f.turns()) {
+      return TurningSweep.timeAfter(f, s, T);
     }
     if (f.isStraight()) {
       int contact = straightContact(f);
@@ -163,6 +169,10 @@ public final class FallSweep {
    * @param t the time of impact
    */
   static UnitVector normal(Fall f, double qx, double qy, double t) {
+    if (f.turns()) {
+      boolean isEnd = f.isLine && qx == f.bx && qy == f.by;
+      return f.turningRoot().ofEnd(isEnd ? Gaps.BEYOND : Gaps.BEFORE, t);
+    }
     if (t == 0) {
       boolean haveOneCentre = f.px == qx && f.py == qy; // the normal is where they come from
       boolean isNow = DiskSweep.isNow(f.px, f.py, f.r, f.vx, f.vy, qx, qy, f.radius, f.ux, f.uy);
@@ -208,9 +218,9 @@ public final class FallSweep {
     boolean isPoint = f.r + f.radius == 0 && (f.isLine || question != GapSearch.RETURN);
     PrecisionCounter.SEARCHED_PARABOLAS.add();
     double reach = reach(f);
-    double time = f.search().roughly().time(question, of, reach, T);
+    double time = f.search().roughly().time(question, of, 0, reach, T);
     boolean isOpen = Double.isNaN(time) && !isPoint;
-    return isOpen ? f.search().exactly().time(question, of, reach, T) : time;
+    return isOpen ? f.search().exactly().time(question, of, 0, reach, T) : time;
   }
 
   /**
@@ -218,8 +228,12 @@ public final class FallSweep {
    * greater, exceeds all other terms of a place.
    */
   static double reach(Fall f) {
-    double size =
-        Math.abs(f.dx) + Math.abs(f.dy) + Math.abs(f.wx) + Math.abs(f.wy) + f.r + f.radius;
+    return reach(
+        f, Math.abs(f.dx) + Math.abs(f.dy) + Math.abs(f.wx) + Math.abs(f.wy) + f.r + f.radius);
+  }
+
+  /** The same from the sum of all lengths. */
+  static double reach(Fall f, double size) {
     double speed = Math.abs(f.sx) + Math.abs(f.sy);
     double least = 0.5 * Math.max(Math.abs(f.gx), Math.abs(f.gy));
     double reach = 1.001 * ((speed + Math.sqrt(speed * speed + 4 * least * size)) / (2 * least));

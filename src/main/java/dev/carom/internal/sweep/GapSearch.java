@@ -6,6 +6,7 @@ import static dev.carom.internal.exact.GapPolynomial.UNKNOWN;
 import dev.carom.internal.exact.ExactBudget;
 import dev.carom.internal.exact.GapPolynomial;
 import dev.carom.internal.exact.Gaps;
+import dev.carom.internal.exact.TurningGaps;
 import java.util.Arrays;
 
 /**
@@ -69,6 +70,9 @@ final class GapSearch {
   static final int ENTRY = 2;
   static final int RETURN = 3;
 
+  /** When the height above a side is again that at the start, whatever the region. */
+  static final int RISE = 4;
+
   /** Whose contact is asked for; null for that of a single gap. */
   private final Fall fall;
 
@@ -77,12 +81,19 @@ final class GapSearch {
 
   private final Gaps<GapPolynomial> rounded = new Gaps<>();
 
+  private final TurningGaps<GapPolynomial> roundedTurning = new TurningGaps<>();
+
   private Gaps<GapPolynomial> gaps;
+
+  private Gaps<GapPolynomial> exactGaps;
 
   /** The gaps of the regions on this rung, and without rounding; each is made when needed. */
   private final GapPolynomial[] made = new GapPolynomial[REGIONS];
 
   private final GapPolynomial[] madeExact = new GapPolynomial[REGIONS];
+
+  /** Their rates, of an obstacle that turns. */
+  private final GapPolynomial[] rates = new GapPolynomial[REGIONS];
 
   /** The projections on the line from its start and from its end; null of a disk. */
   private GapPolynomial fromStart;
@@ -91,6 +102,9 @@ final class GapSearch {
 
   /** The region whose gap counts from the start; -1 for none. */
   private int counted = -1;
+
+  /** The side of the line above which the height counts as the gap of all regions; else 0. */
+  private int rise;
 
   /** Whether contacts count only if the disk comes from outside, and later than a time. */
   private boolean isEntry;
@@ -126,8 +140,8 @@ final class GapSearch {
 
   /** Takes the gaps with rounded coefficients. */
   GapSearch roughly() {
-    pool.reset();
-    return of(fall.gaps(pool, rounded));
+    pool.reset(fall.turns());
+    return of(fall.turns() ? fall.turningGaps(pool, roundedTurning) : fall.gaps(pool, rounded));
   }
 
   /** Takes the gaps with coefficients without rounding. */
@@ -138,11 +152,14 @@ final class GapSearch {
   private GapSearch of(Gaps<GapPolynomial> newGaps) {
     boolean isLine = fall.isLine;
     gaps = newGaps;
+    exactGaps = null;
     fromStart = isLine ? gaps.fromStart() : null;
     fromEnd = isLine ? gaps.fromEnd() : null;
     Arrays.fill(made, null);
     Arrays.fill(madeExact, null);
+    Arrays.fill(rates, null);
     counted = -1;
+    rise = 0;
     isEntry = false;
     after = -1;
     passed = 0;
@@ -155,29 +172,39 @@ final class GapSearch {
    * above 0. At an entry it falls from above 0 to below. In a return the gap of the region that is
    * touched counts from the start: if it falls at once, the answer is 0.
    *
-   * @param of the time after which the contact counts, or the region that is touched
+   * @param of the time after which the contact counts, or the region that is touched, or the side
+   * @param from a time before which there is no contact
    * @param reach a time after which there is no contact
    */
-  double time(int question, double of, double reach, double T) {
+  double time(int question, double of, double from, double reach, double T) {
     return switch (question) {
-      case FIRST -> search(0, NEVER, reach, T);
+      case FIRST -> search(from, NEVER, reach, T);
       case FIRST_AFTER -> gap(Gaps.BEFORE).signAt(of, 0) == 1 ? search(of, NEVER, reach, T) : DOUBT;
-      case ENTRY -> entry(of, reach, T);
-      default -> returnTo((int) of, reach, T);
+      case ENTRY -> entry(of, from, reach, T);
+      case RETURN -> returnTo((int) of, from, reach, T);
+      default -> above((int) of).returnTo(Gaps.BEFORE, from, reach, T);
     };
   }
 
-  private double entry(double s, double reach, double T) {
+  private double entry(double s, double from, double reach, double T) {
     isEntry = true;
     after = s;
-    return search(Math.max(0, s * Fall.LESS), NEVER, reach, T);
+    return search(Math.max(from, s * Fall.LESS), NEVER, reach, T);
   }
 
-  private double returnTo(int region, double reach, double T) {
-    int way = from(region).gap(region).signAfterStart();
+  private double returnTo(int region, double from, double reach, double T) {
+    from(region);
+    int way = from > 0 ? 1 : gap(region).signAfterStart();
     return way == -1
         ? 0
-        : way == UNKNOWN ? DOUBT : search(0, FIRST_PART * levelTime(region), reach, T);
+        : way == UNKNOWN ? DOUBT : search(from, FIRST_PART * levelTime(region), reach, T);
+  }
+
+  private GapSearch above(int side) {
+    rise = side;
+    fromStart = null;
+    fromEnd = null;
+    return this;
   }
 
   /**
@@ -265,7 +292,7 @@ final class GapSearch {
   private double scale() {
     double scale = NEVER;
     for (int region = 0; region < REGIONS; region++) {
-      scale = isIn(open, region) ? Math.min(scale, gap(region).derivative().scale()) : scale;
+      scale = isIn(open, region) ? Math.min(scale, rate(region).scale()) : scale;
     }
     return scale;
   }
@@ -287,7 +314,6 @@ final class GapSearch {
 
   private void look(int region) {
     GapPolynomial gap = gap(region);
-    GapPolynomial rate = gap.derivative();
     int sign = gap.sign(low, high);
     if (sign > 0 || (isEntry && sign < 0) || isIn(passed, region)) {
       return;
@@ -297,18 +323,19 @@ final class GapSearch {
       once |= 1 << region;
       return;
     }
+    GapPolynomial rate = rate(region);
     int way = rate.sign(low, high);
     if (way < 0 || (way == 0 && !rate.isZero() && !leaves(region))) {
       open |= 1 << region;
       falling |= way < 0 ? 1 << region : 0;
       boolean isDoubtful = !gap.isExact() && gap.isLost() && rate.isLost();
-      isLost |= way == 0 && (isDoubtful || (low == 0 && isOpenAtStart(gap)));
+      isLost |= way == 0 && (isDoubtful || (low == 0 && isOpenAtStart(gap, rate)));
     }
   }
 
   /** Whether it is in doubt, in each interval from the start on, if there is contact there. */
-  private static boolean isOpenAtStart(GapPolynomial gap) {
-    return gap.derivative().signAfterStart() == UNKNOWN && gap.signAfterStart() != 1;
+  private static boolean isOpenAtStart(GapPolynomial gap, GapPolynomial rate) {
+    return rate.signAfterStart() == UNKNOWN && gap.signAfterStart() != 1;
   }
 
   /**
@@ -317,7 +344,7 @@ final class GapSearch {
    * part falls if the gap of the side does not, and the projection goes away from the line.
    */
   private boolean leaves(int region) {
-    if (fromStart == null || region == Gaps.BESIDE || region == counted) {
+    if (fromStart == null || region == Gaps.BESIDE || region == counted || gaps.turns()) {
       return false;
     }
     int away = region - Gaps.BESIDE;
@@ -408,13 +435,17 @@ final class GapSearch {
   /** The sign of a gap at an end of the interval. */
   private int signAt(int region, double t) {
     int sign = t == 0 ? gap(region).signAtStart() : gap(region).signAt(t, 0);
+    if (sign == UNKNOWN && gaps.turns() && region != counted) {
+      sign = fall.turningRoot().sign(region, t);
+    }
     return sign != UNKNOWN ? sign : exactGap(region).signAt(t, 0);
   }
 
   /** The double nearest to the only root in an interval: by its residue, or without rounding. */
   private double root(int region, double from, double to) {
     double t = DOUBT;
-    boolean hasSpeed = region != counted || gap(region).derivative().signAtStart() == 1;
+    boolean hasSpeed =
+        region != counted || (!gaps.turns() && gap(region).derivative().signAtStart() == 1);
     if (!gap(region).isExact() && hasSpeed) {
       t = rounded(region, gap(region).root(1, from, to));
     }
@@ -428,6 +459,9 @@ final class GapSearch {
     double qy = region == Gaps.BEYOND ? fall.by : fall.ay;
     if (region == counted) {
       return GapRoot.nearestReturn(fall, qx, qy, root);
+    }
+    if (gaps.turns()) {
+      return fall.turningRoot().nearest(region, root);
     }
     return region == Gaps.BESIDE
         ? GapRoot.nearestSide(fall, root)
@@ -445,7 +479,7 @@ final class GapSearch {
   /** The rate changes its sign at most once, if it changes monotonically. */
   private double turn(int region) {
     GapPolynomial gap = gap(region);
-    GapPolynomial rate = gap.derivative();
+    GapPolynomial rate = rate(region);
     if (rate.derivative().sign(low, high) == 0) {
       return HALVE;
     }
@@ -461,12 +495,20 @@ final class GapSearch {
     double width = gap.isExact() ? Math.ulp(t) : high - low;
     boolean isNear =
         !gap.isExact() || (rate.signAt(t, -width) == first && rate.signAt(t, width) == last);
-    int sign = isNear ? gap.signAtTurn(t, width) : UNKNOWN;
+    int sign = isNear ? signAtTurn(region, t, width) : UNKNOWN;
     if (sign == UNKNOWN) {
       passed |= gap.isExact() && isPassed(region) ? 1 << region : 0;
       return HALVE;
     }
     return first == -1 ? valley(region, sign, t) : hill(region, sign, t);
+  }
+
+  private int signAtTurn(int region, double t, double width) {
+    GapPolynomial gap = gap(region);
+    return gaps != null && gaps.turns()
+        ? gap.signAtTurn(
+            t, width, rate(region), fall.turn.change(low, high, region == Gaps.BESIDE ? 2 : 1))
+        : gap.signAtTurn(t, width);
   }
 
   /** The gap falls to its least value at about t, which has a sign. */
@@ -488,7 +530,7 @@ final class GapSearch {
       // At 0 where the centre passes to this region: the gap of the other one may come from above.
       return sign == 0 && !isOne(possible) ? DOUBT : NEVER;
     }
-    return sign == 0 ? t : exactGap(region).derivative().nearestRoot(1, low, high);
+    return sign == 0 ? t : exactRate(region).nearestRoot(1, low, high);
   }
 
   private GapPolynomial gap(int region) {
@@ -498,17 +540,49 @@ final class GapSearch {
     return made[region];
   }
 
+  private GapPolynomial rate(int region) {
+    if (gaps == null) {
+      return gap(region).derivative();
+    }
+    if (rates[region] == null) {
+      rates[region] = gaps.rate(gap(region), region, GapPolynomial::derivative);
+    }
+    return rates[region];
+  }
+
   private GapPolynomial exactGap(int region) {
+    if (gap(region).isExact()) {
+      return gap(region);
+    }
     if (madeExact[region] == null) {
-      madeExact[region] =
-          gap(region).isExact() ? gap(region) : of(fall.gaps(GapPolynomial.EXACT), region);
+      madeExact[region] = of(exactGaps(), region);
     }
     return madeExact[region];
   }
 
+  private GapPolynomial exactRate(int region) {
+    return gap(region).isExact()
+        ? rate(region)
+        : exactGaps().rate(exactGap(region), region, GapPolynomial::derivative);
+  }
+
+  private Gaps<GapPolynomial> exactGaps() {
+    if (exactGaps == null) {
+      exactGaps = fall.gaps(GapPolynomial.EXACT);
+    }
+    return exactGaps;
+  }
+
   private GapPolynomial of(Gaps<GapPolynomial> source, int region) {
+    if (rise != 0) {
+      return counted(source, source.height().signed(rise));
+    }
     GapPolynomial gap = source.gap(region);
-    return region == counted ? gap.counted() : gap;
+    return region == counted ? counted(source, gap) : gap;
+  }
+
+  private static GapPolynomial counted(Gaps<GapPolynomial> source, GapPolynomial gap) {
+    return source.aboveStart(gap, GapPolynomial::constant).counted();
   }
 
   /**
@@ -517,7 +591,7 @@ final class GapSearch {
    * grazes that at most.
    */
   private boolean isPassed(int region) {
-    if (gaps == null || region == Gaps.BESIDE || region == counted) {
+    if (gaps == null || region == Gaps.BESIDE || region == counted || gaps.turns()) {
       return false;
     }
     GapPolynomial x = gaps.x(region);

@@ -58,7 +58,7 @@ public final class Hit {
     int part = Contact.withoutTime(contact);
     if (!f.isSegment) {
       setNormal(f, f.ax, f.ay, t);
-      boolean isNow = f.isStraight() ? contact == Contact.NOW : t == 0;
+      boolean isNow = f.isStraight() && !f.turns() ? contact == Contact.NOW : t == 0;
       return isNow ? betweenCentres(f) : atEnd(f, f.ax, f.ay, t);
     }
     if (part == Contact.START) {
@@ -69,11 +69,11 @@ public final class Hit {
       setNormal(f, f.bx, f.by, t);
       return atEnd(f, f.bx, f.by, t);
     }
-    UnitVectors.normal(n, part == Contact.LEFT ? 1 : -1, f.ax, f.ay, f.bx, f.by);
-    double startX = place(f.ax, f.ux, 0, t);
-    double startY = place(f.ay, f.uy, 0, t);
-    double endX = place(f.bx, f.ux, 0, t);
-    double endY = place(f.by, f.uy, 0, t);
+    normalOfSide(n, f, part == Contact.LEFT ? 1 : -1, t);
+    double startX = placeX(f, f.ax, f.ay, t);
+    double startY = placeY(f, f.ax, f.ay, t);
+    double endX = placeX(f, f.bx, f.by, t);
+    double endY = placeY(f, f.bx, f.by, t);
     double centreX = place(f.px, f.vx, f.gx, t);
     double centreY = place(f.py, f.vy, f.gy, t);
     double s = Coordinates.fraction(startX, startY, endX, endY, centreX, centreY);
@@ -90,8 +90,8 @@ public final class Hit {
 
   /** The point of an end q, or of a disk around it. */
   private Hit atEnd(Fall f, double qx, double qy, double t) {
-    double atX = place(qx, f.ux, 0, t);
-    double atY = place(qy, f.uy, 0, t);
+    double atX = placeX(f, qx, qy, t);
+    double atY = placeY(f, qx, qy, t);
     return f.isSegment
         ? of(f, t, atX, atY)
         : of(
@@ -103,7 +103,7 @@ public final class Hit {
 
   /** Sets the normal of a hit on an end q of a line, or on a disk there. */
   private void setNormal(Fall f, double qx, double qy, double t) {
-    if (!f.isStraight()) {
+    if (f.turns() || !f.isStraight()) {
       UnitVector unit = FallSweep.normal(f, qx, qy, t);
       n.set(unit != null ? unit : exactNormal(f, t));
       return;
@@ -128,8 +128,14 @@ public final class Hit {
     ExactParabola exact = FallSweep.exact(f);
     RealRoot t = exact.at(time);
     return f.isLine && f.r == 0 && exact.comesFromSide(t)
-        ? UnitVectors.normal(exact.side(t), f.ax, f.ay, f.bx, f.by)
+        ? normalOfSide(new UnitVector(), f, exact.side(t), time)
         : exact.normal(t);
+  }
+
+  private static UnitVector normalOfSide(UnitVector out, Fall f, int side, double t) {
+    return f.turns()
+        ? f.turningRoot().ofSide(out, side, t)
+        : UnitVectors.normal(out, side, f.ax, f.ay, f.bx, f.by);
   }
 
   /** The hit on the wall with a given code, at the given coordinate, of the disk of a flight. */
@@ -148,14 +154,25 @@ public final class Hit {
   private Hit of(Fall f, double t, double atX, double atY) {
     double vx = speed(f.vx, f.gx, t);
     double vy = speed(f.vy, f.gy, t);
-    double speed = -((vx - f.ux) * n.x() + (vy - f.uy) * n.y());
+    double ux = f.turns() ? f.velocityX(atX, atY, t) : f.ux;
+    double uy = f.turns() ? f.velocityY(atX, atY, t) : f.uy;
+    double speed = -((vx - ux) * n.x() + (vy - uy) * n.y());
     if (!(Math.abs(speed) <= Double.MAX_VALUE)) {
-      speed = 4 * -((vx / 4 - f.ux / 4) * n.x() + (vy / 4 - f.uy / 4) * n.y());
+      speed = 4 * -((vx / 4 - ux / 4) * n.x() + (vy / 4 - uy / 4) * n.y());
     }
     x = atX;
     y = atY;
     approachSpeed = Math.max(0, speed);
     return this;
+  }
+
+  /** The place of a point of the obstacle. */
+  private static double placeX(Fall f, double qx, double qy, double t) {
+    return f.turns() ? Coordinates.within(f.placeX(qx, qy, t)) : place(qx, f.ux, 0, t);
+  }
+
+  private static double placeY(Fall f, double qx, double qy, double t) {
+    return f.turns() ? Coordinates.within(f.placeY(qx, qy, t)) : place(qy, f.uy, 0, t);
   }
 
   private static double place(double p, double v, double g, double t) {

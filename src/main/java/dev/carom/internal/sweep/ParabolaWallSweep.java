@@ -53,7 +53,7 @@ public final class ParabolaWallSweep {
     GapPolynomial gap = gap(GapPolynomial.EXACT, p, r, v, g, wall, inward);
     double reach =
         FallSweep.reach(Fall.ofThread().flight(p, 0, r, v, 0, g, 0).disk(wall, 0, 0, 0, 0));
-    time = new GapSearch(gap).time(GapSearch.FIRST, 0, reach, T);
+    time = new GapSearch(gap).time(GapSearch.FIRST, 0, 0, reach, T);
     return Double.isNaN(time) ? exact(p, r, v, g, wall, inward).time(T) : time;
   }
 

@@ -16,9 +16,11 @@ public final class Turn {
   double q1;
   double q2;
 
-  /** The square of c at a time, and of its length: set by {@link #at}. */
-  double re;
+  /** c at a time, its square, and the square of its length: set by {@link #at}. */
+  double x;
 
+  double y;
+  double re;
   double im;
   double n;
 
@@ -33,6 +35,25 @@ public final class Turn {
     return StrictMath.sin(0.5 * angle) / time;
   }
 
+  /** Where a turn by an angle about a pivot brings a point: the same bits on every machine. */
+  public static double endX(double px, double py, double pivotX, double pivotY, double angle) {
+    return end(pivotX, pivotY, angle).placeX(px, py);
+  }
+
+  public static double endY(double px, double py, double pivotX, double pivotY, double angle) {
+    return end(pivotX, pivotY, angle).placeY(px, py);
+  }
+
+  private static Turn end(double pivotX, double pivotY, double angle) {
+    Turn turn = new Turn();
+    turn.pivotX = pivotX;
+    turn.pivotY = pivotY;
+    turn.x = StrictMath.cos(0.5 * angle);
+    turn.y = StrictMath.sin(0.5 * angle);
+    turn.n = turn.x * turn.x + turn.y * turn.y;
+    return turn;
+  }
+
   void set(double itsPivotX, double itsPivotY, double itsQ1, double itsQ2) {
     pivotX = itsPivotX;
     pivotY = itsPivotY;
@@ -42,8 +63,8 @@ public final class Turn {
 
   /** Looks at a time. */
   Turn at(double t) {
-    double x = fma(q1, t, 1);
-    double y = q2 * t;
+    x = fma(q1, t, 1);
+    y = q2 * t;
     re = x * x - y * y;
     im = 2 * x * y;
     n = x * x + y * y;
@@ -55,21 +76,47 @@ public final class Turn {
     return 2 * q2 / at(t).n;
   }
 
-  /** The place at the time looked at of what was at (x, y) at the start. */
-  double x(double x, double y) {
-    return pivotX + ((x - pivotX) * re - (y - pivotY) * im) / n;
+  /**
+   * The place at the time looked at of what was at (px, py) at the start: there to the bit at time
+   * 0. It is moved by {@code (c^2 / n - 1) w}, which is {@code 2 y / n} times the vector {@code i c
+   * w}.
+   */
+  double placeX(double px, double py) {
+    return px - 2 * y / n * (y * (px - pivotX) + x * (py - pivotY));
   }
 
-  double y(double x, double y) {
-    return pivotY + ((x - pivotX) * im + (y - pivotY) * re) / n;
+  double placeY(double px, double py) {
+    return py + 2 * y / n * (x * (px - pivotX) - y * (py - pivotY));
   }
 
   /** The component of a vector at the time looked at, as the obstacle sees it. */
-  double backX(double x, double y) {
-    return (x * re + y * im) / n;
+  double backX(double vx, double vy) {
+    return (vx * re + vy * im) / n;
   }
 
-  double backY(double x, double y) {
-    return (y * re - x * im) / n;
+  double backY(double vx, double vy) {
+    return (vy * re - vx * im) / n;
+  }
+
+  /**
+   * The least n in an interval, or less: n is convex, so it is above its tangents at both ends,
+   * which meet in the middle.
+   */
+  double least(double low, double high) {
+    double last = at(high).n;
+    double first = at(low).n;
+    return Math.min(Math.min(first, last), first + (q1 * x + q2 * y) * (high - low));
+  }
+
+  /**
+   * The factor of {@link dev.carom.internal.exact.GapPolynomial#signAtTurn(double, double,
+   * dev.carom.internal.exact.GapPolynomial, double)} for a gap times n^k: the true one changes by
+   * the rate over {@code n^(k + 1)}.
+   */
+  double change(double low, double high, int k) {
+    double least = least(low, high);
+    double most = Math.max(at(low).n, at(high).n);
+    double growth = most / least;
+    return least > 0 ? (k == 1 ? growth : growth * growth) / least : Double.POSITIVE_INFINITY;
   }
 }

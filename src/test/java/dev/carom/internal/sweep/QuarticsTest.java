@@ -67,7 +67,7 @@ class QuarticsTest {
       double before = t;
       t =
           new GapSearch(GapPolynomial.exact(sums))
-              .time(GapSearch.ENTRY, before, reach(c), GapSearch.NEVER);
+              .time(GapSearch.ENTRY, before, 0, reach(c), GapSearch.NEVER);
       if (Double.isNaN(t)) {
         isOpen = true;
         t = exact.timeAfter(before, GapSearch.NEVER);

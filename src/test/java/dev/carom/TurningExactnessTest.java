@@ -1,0 +1,117 @@
+// SPDX-License-Identifier: Apache-2.0
+package dev.carom;
+
+import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertTrue;
+
+import dev.carom.internal.sweep.Contact;
+import dev.carom.internal.sweep.Fall;
+import dev.carom.internal.sweep.FallReturn;
+import dev.carom.internal.sweep.FallSweep;
+import dev.carom.internal.sweep.Hit;
+import dev.carom.oracle.Answer;
+import dev.carom.oracle.Judge;
+import dev.carom.oracle.Part;
+import dev.carom.oracle.Tally;
+import dev.carom.oracle.TurningFamilies;
+import dev.carom.oracle.TurningFamily;
+import dev.carom.oracle.TurningQuery;
+import dev.carom.oracle.TurningQuery.Kind;
+import java.util.List;
+import org.junit.jupiter.api.Test;
+
+/**
+ * The promise of exactness for lines and pegs that turn, held to an oracle that shares no code with
+ * the detector: no wrong decision, every time the correctly rounded one, no normal of an impact
+ * beyond 1e-15; first impacts, returns to what was just hit, and later entries, with and without an
+ * acceleration.
+ *
+ * <p>More queries, and others: {@code mvn -pl src test -Dtest=TurningExactnessTest
+ * -Dcarom.queries=1000000 -Dcarom.seed=2}. Those of some families alone: {@code
+ * -Dcarom.families=.*touching.*}. Prints a table.
+ */
+class TurningExactnessTest {
+  private static final double NEVER = Double.POSITIVE_INFINITY;
+  private static final long QUERIES = Long.getLong("carom.queries", 3_200);
+  private static final long SEED = Long.getLong("carom.seed", 1);
+  private static final String FAMILIES = System.getProperty("carom.families", ".*");
+  private static final int CHUNK = 50;
+
+  private final Judge<TurningQuery> judge = new Judge<>(TurningExactnessTest::ask);
+
+  @Test
+  void answersGeneratedQueries() {
+    int chunks = (int) Math.max(1, QUERIES / families().size() / CHUNK);
+    FamilyTallies tallies = new FamilyTallies();
+    for (TurningFamily family : families()) {
+      tallies.add(
+          family.name(),
+          chunks,
+          chunk -> judge.judge(family.name(), family::next, SEED * 1_000_000 + chunk, CHUNK));
+    }
+    tallies.assertNoFailure();
+  }
+
+  /** A detector that takes the thing to turn evenly, not as the rational motion does, is seen. */
+  @Test
+  void anotherMotionIsNotOverlooked() {
+    Judge<TurningQuery> strict =
+        new Judge<>(
+            query -> {
+              double[] n = query.numbers();
+              n[14] = n[14] * (1 + 0x1p-40) + 0x1p-40 * n[15]; // q1
+              return ask(TurningQuery.of(query.kind(), n));
+            });
+    Tally tally = new Tally();
+    for (TurningFamily family : families()) {
+      tally = tally.plus(strict.judge(family.name(), family::next, SEED, 5));
+    }
+    assertTrue(tally.notNearest() + tally.wrongDecisions() > 50, tally.row("another motion"));
+  }
+
+  private static List<TurningFamily> families() {
+    return TurningFamilies.all().stream()
+        .filter(family -> family.name().matches(FAMILIES))
+        .toList();
+  }
+
+  private static Answer ask(TurningQuery q) {
+    Fall fall = new Fall().flight(q.px(), q.py(), q.r(), q.vx(), q.vy(), q.gx(), q.gy());
+    if (q.isLine()) {
+      fall.line(q.ax(), q.ay(), q.bx(), q.by(), 0, 0);
+    } else {
+      fall.disk(q.ax(), q.ay(), q.radius(), 0, 0);
+    }
+    fall.turn(q.pivotX(), q.pivotY(), q.q1(), q.q2());
+    double time =
+        switch (q.kind()) {
+          case FIRST -> FallSweep.time(fall, q.end());
+          case RETURN -> FallReturn.time(fall, q.end());
+          case ENTRY -> FallSweep.timeAfter(fall, q.after(), q.end());
+        };
+    if (time == NEVER) {
+      return Answer.MISS;
+    }
+    boolean isReturn = q.kind() == Kind.RETURN;
+    int contact = isReturn ? FallReturn.contact(fall, time) : FallSweep.contact(fall, time);
+    assertEquals(time == 0, (contact & Contact.NOW) != 0);
+    Part part = q.isLine() ? part(contact) : Part.CIRCLE;
+    if (isReturn && part != Part.SIDE) {
+      // Of an end that is touched by definition the normal is that of a rounded place.
+      return new Answer(time, part, q.truth().normal().x().near(), q.truth().normal().y().near());
+    }
+    if (!q.isLine() && time > 0) {
+      contact = Contact.LATER;
+    }
+    Hit hit = new Hit().of(fall, q.isLine() || time > 0 ? contact : Contact.NOW, time);
+    return new Answer(time, part, hit.nx(), hit.ny());
+  }
+
+  private static Part part(int contact) {
+    return switch (Contact.withoutTime(contact)) {
+      case Contact.START -> Part.START;
+      case Contact.END -> Part.END;
+      default -> Part.SIDE;
+    };
+  }
+}
