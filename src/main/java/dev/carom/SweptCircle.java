@@ -487,7 +487,7 @@ public record SweptCircle(
    */
   private static Optional<Impact> first(
       Fall fall, Kind kind, double ax, double ay, double maxTime) {
-    boolean isStraight = fall.isStraight() && !fall.turns();
+    boolean isStraight = fall.isStraight();
     int straight = isStraight ? FallSweep.straightContact(fall) : 0;
     double t =
         isStraight

@@ -276,8 +276,9 @@ public final class Fall {
             of.difference(r, -radius));
   }
 
+  /** Whether the disk moves straight on, as seen from the obstacle. */
   public boolean isStraight() {
-    return gx == 0 && gy == 0;
+    return gx == 0 && gy == 0 && !turns;
   }
 
   /**

@@ -58,7 +58,7 @@ public final class Hit {
     int part = Contact.withoutTime(contact);
     if (!f.isSegment) {
       setNormal(f, f.ax, f.ay, t);
-      boolean isNow = f.isStraight() && !f.turns() ? contact == Contact.NOW : t == 0;
+      boolean isNow = f.isStraight() ? contact == Contact.NOW : t == 0;
       return isNow ? betweenCentres(f) : atEnd(f, f.ax, f.ay, t);
     }
     if (part == Contact.START) {
@@ -103,7 +103,7 @@ public final class Hit {
 
   /** Sets the normal of a hit on an end q of a line, or on a disk there. */
   private void setNormal(Fall f, double qx, double qy, double t) {
-    if (f.turns() || !f.isStraight()) {
+    if (!f.isStraight()) {
       UnitVector unit = FallSweep.normal(f, qx, qy, t);
       n.set(unit != null ? unit : exactNormal(f, t));
       return;

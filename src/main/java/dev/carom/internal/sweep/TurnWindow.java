@@ -153,7 +153,7 @@ final class TurnWindow {
             + Math.abs(f.py - f.turn.pivotY)
             + 2 * (Math.abs(f.ax - f.turn.pivotX) + Math.abs(f.ay - f.turn.pivotY))
             + 2 * (Math.abs(f.wx) + Math.abs(f.wy) + f.r + f.radius);
-    return f.isStraight()
+    return f.gx == 0 && f.gy == 0
         ? 1.001 * size / Math.max(Math.abs(f.vx), Math.abs(f.vy))
         : FallSweep.reach(f, size);
   }
