@@ -35,6 +35,7 @@ public final class TurningFamilies {
     first.add(new TurningFamily("riding", d -> query(d, any(d).riding(d))));
     first.add(new TurningFamily("ray", d -> query(d, any(d).ray())));
     first.add(new TurningFamily("ray_now", d -> query(d, any(d).now(d).ray())));
+    first.add(new TurningFamily("far_pivot", TurningFamilies::farPivot));
     first.add(new TurningFamily("supported", TurningFamilies::supported));
     first.add(new TurningFamily("lattice", TurningFamilies::lattice));
     first.add(new TurningFamily("zero_gap", TurningFamilies::zeroGap));
@@ -274,6 +275,51 @@ public final class TurningFamilies {
     c.place = c.pivot.plus(d.direction().times(d.in(0, 12)));
     c.normal = d.direction();
     return query(d, c);
+  }
+
+  /**
+   * A line that the circle touches exactly, or but for ulps, and a pivot so far away that nearly
+   * all digits cancel.
+   */
+  private static TurningQuery farPivot(Draw d) {
+    Triple w = d.triple();
+    double scale = d.binaryScale();
+    Point along = w.direction().times(scale);
+    double k = d.whole(1, 3);
+    boolean isSide = d.chance(0.3);
+    Triple beyond = d.triple();
+    Point p =
+        isSide
+            ? along.times(k * d.pick(0.5, 0.25, 0.75)).plus(along.turned().times(d.sign() * k))
+            : beyond.direction().times(scale);
+    double r = isSide ? k * w.z() * scale : beyond.z() * scale;
+    Point pivot = d.direction().times(r * d.log(1e3, 1e12));
+    double q2 = d.sign() * d.log(1e-12, 1e-3);
+    Point material = p.minus(pivot).turned().times(2 * q2);
+    Point v = material.plus(d.direction().times(d.pick(0, r * d.log(1e-9, 10))));
+    double end = d.log(0.1, 10);
+    double[] n = {
+      0,
+      0,
+      along.x() * k,
+      along.y() * k,
+      0,
+      p.x(),
+      p.y(),
+      r,
+      v.x(),
+      v.y(),
+      0,
+      0,
+      pivot.x(),
+      pivot.y(),
+      -q2 * q2 * d.in(0, 1),
+      q2,
+      -1,
+      end
+    };
+    n[7] = Draw.ulps(r, d.whole(-2, 2));
+    return TurningQuery.of(Kind.FIRST, n);
   }
 
   /**
