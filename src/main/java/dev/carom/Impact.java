@@ -103,24 +103,6 @@ public record Impact(
         halts ? Outcome.HALTED : Outcome.BOUNCED);
   }
 
-  /** The same impact, later. */
-  Impact after(double delay) {
-    return new Impact(
-        time + delay,
-        circle,
-        kind,
-        id,
-        part,
-        feature,
-        x,
-        y,
-        nx,
-        ny,
-        approachSpeed,
-        impulse,
-        outcome);
-  }
-
   /** The first impact of a cast with an obstacle of a table. */
   static Impact of(MovingCircle m, int id, ObstacleTable obstacles, Hit hit) {
     int code = m.next;

@@ -228,12 +228,8 @@ public final class FallSweep {
    * greater, exceeds all other terms of a place.
    */
   static double reach(Fall f) {
-    return reach(
-        f, Math.abs(f.dx) + Math.abs(f.dy) + Math.abs(f.wx) + Math.abs(f.wy) + f.r + f.radius);
-  }
-
-  /** The same from the sum of all lengths. */
-  static double reach(Fall f, double size) {
+    double size =
+        Math.abs(f.dx) + Math.abs(f.dy) + Math.abs(f.wx) + Math.abs(f.wy) + f.r + f.radius;
     double speed = Math.abs(f.sx) + Math.abs(f.sy);
     double least = 0.5 * Math.max(Math.abs(f.gx), Math.abs(f.gy));
     double reach = 1.001 * ((speed + Math.sqrt(speed * speed + 4 * least * size)) / (2 * least));

@@ -64,7 +64,13 @@ final class TurnWindow {
 
   private double fastest;
 
-  // What is seen at a time: the distance less the reach, how fast it grows, and the error of that.
+  // The offset from what is seen at a time, and its product with the velocity; the rate.
+  private double x;
+  private double y;
+  private double rise;
+  private double rate;
+
+  // The distance less the reach, how fast it grows, and the error of that.
   private double gap;
   private double growth;
   private double error;
@@ -76,11 +82,13 @@ final class TurnWindow {
   /**
    * Narrows a window, and returns whether there is certainly no contact in it.
    *
+   * @param end if it is infinite, the window stays as it is
    * @param isReturn whether the obstacle is touched at the start by definition
    */
   boolean isClear(double start, double end, boolean isReturn) {
     from = start;
-    to = end < NEVER ? end : lastTime();
+    to = end;
+    bend = NEVER;
     double startX = f.ax - f.turn.pivotX;
     double startY = f.ay - f.turn.pivotY;
     double endX = f.bx - f.turn.pivotX;
@@ -109,7 +117,6 @@ final class TurnWindow {
     }
     reach = r;
     double least = f.turn.least(from, to);
-    bend = NEVER;
     if (!(least > LEAST_SQUARE)) {
       return false;
     }
@@ -144,18 +151,6 @@ final class TurnWindow {
     double time = GapRoot.beside(t, f.turningRoot().nearest(region, t));
     boolean isThere = !f.isLine || f.region(time) == region;
     return isThere ? GapRoot.upTo(T, time) : GapRoot.DOUBT;
-  }
-
-  /** A time after which the disk is clear of all places of the obstacle; or infinite. */
-  private double lastTime() {
-    double size =
-        Math.abs(f.px - f.turn.pivotX)
-            + Math.abs(f.py - f.turn.pivotY)
-            + 2 * (Math.abs(f.ax - f.turn.pivotX) + Math.abs(f.ay - f.turn.pivotY))
-            + 2 * (Math.abs(f.wx) + Math.abs(f.wy) + f.r + f.radius);
-    return f.gx == 0 && f.gy == 0
-        ? 1.001 * size / Math.max(Math.abs(f.vx), Math.abs(f.vy))
-        : FallSweep.reach(f, size);
   }
 
   /** Bounds the speed and the acceleration in the window, as seen from the obstacle. */
@@ -211,30 +206,53 @@ final class TurnWindow {
 
   /** Sees the disk about the pivot, or the obstacle. */
   private void look(boolean isObstacle, double t) {
-    double x = f.fromPivotX(t);
-    double y = f.fromPivotY(t);
-    double vx = f.vx + f.gx * t;
-    double vy = f.vy + f.gy * t;
-    double rate = 0;
     if (isObstacle) {
-      Turn c = f.turn.at(t);
-      rate = 2 * c.q2 / c.n;
-      vx += rate * y;
-      vy -= rate * x;
-      double seenX = c.backX(x, y) - (f.ax - c.pivotX);
-      double seenY = c.backY(x, y) - (f.ay - c.pivotY);
-      double seenVx = c.backX(vx, vy);
-      vy = c.backY(vx, vy);
-      vx = seenVx;
-      double along = seenX * f.wx + seenY * f.wy;
-      double part = along > 0 ? Math.min(1, along / (f.wx * f.wx + f.wy * f.wy)) : 0;
-      x = seenX - part * f.wx;
-      y = seenY - part * f.wy;
+      see(Gaps.UNKNOWN, t);
+    } else {
+      x = f.fromPivotX(t);
+      y = f.fromPivotY(t);
+      rise = x * (f.vx + f.gx * t) + y * (f.vy + f.gy * t);
+      rate = 0;
     }
     double distance = Math.sqrt(x * x + y * y);
-    growth = (x * vx + y * vy) / distance;
+    growth = rise / distance;
     gap = distance - reach - margin;
     // The normal errs by the margin over the distance.
     error = fma(speed + Math.abs(rate) * place(t), ROUNDING + margin / distance, TINY);
+  }
+
+  /**
+   * Sees the offset of the centre from the part of the obstacle in a region, or if that is UNKNOWN,
+   * from the nearest one.
+   */
+  private void see(int region, double t) {
+    Turn c = f.turn.at(t);
+    rate = 2 * c.q2 / c.n;
+    double px = f.fromPivotX(t);
+    double py = f.fromPivotY(t);
+    double vx = f.vx + f.gx * t + rate * py;
+    double vy = f.vy + f.gy * t - rate * px;
+    x = c.backX(px, py) - (f.ax - c.pivotX);
+    y = c.backY(px, py) - (f.ay - c.pivotY);
+    double along = x * f.wx + y * f.wy;
+    double part = along / (f.wx * f.wx + f.wy * f.wy);
+    if (region != Gaps.BESIDE) {
+      boolean isEnd = region == Gaps.UNKNOWN ? part >= 1 : region == Gaps.BEYOND;
+      boolean isStart = region == Gaps.UNKNOWN ? !(part > 0) : region == Gaps.BEFORE;
+      part = isEnd ? 1 : isStart ? 0 : part;
+    }
+    x -= part * f.wx;
+    y -= part * f.wy;
+    rise = x * c.backX(vx, vy) + y * c.backY(vx, vy);
+  }
+
+  /**
+   * The derivative of a gap of {@link dev.carom.internal.exact.TurningGaps} near a root, where that
+   * of its factor does not count.
+   */
+  double slope(int region, double t) {
+    see(region, t);
+    double n = f.turn.n;
+    return 2 * rise * (region == Gaps.BESIDE ? n * n * (f.wx * f.wx + f.wy * f.wy) : n);
   }
 }

@@ -12,10 +12,11 @@ import dev.carom.internal.exact.UnitVector;
  * normal there. The residue is a {@link BoundedNumber}.
  *
  * <p>The residue errs by 143 u^2 of its terms A, a step of {@code x t} at least half an ulp has
- * {@code u <= 2 x}. The slope errs by 60 u of {@code 8 A / t}: a component of c^2 has 4 u, its
- * derivative 5 u, a line times that 8 u, an offset 5 u, a height and its change 20 u, and a product
- * of these or of r^2 w.w n n' 45 u. The bend is 56 A / t^2 at most. So the residue plus a step errs
- * by less than {@code (4 * 143 + 2 * 8 * 60 + 28) x^2 A}, which {@link GapRoot#nearest} covers.
+ * {@code u <= 2 x}. The slope errs by 60 u of {@code 8 A / t}: a place and a speed as seen from the
+ * obstacle have 16 u each, the offset from its nearest point 8 u more, and the factors n and w.w 15
+ * u. It leaves out {@code 2 g n' / n}, at most 96 x A / t as the gap is a step times the slope. The
+ * bend is 56 A / t^2 at most. So the residue plus a step errs by less than {@code (4 * 143 + 2 * 8
+ * * 60 + 96 + 28) x^2 A}, which {@link GapRoot#nearest} covers.
  */
 final class TurningRoot {
 
@@ -49,42 +50,11 @@ final class TurningRoot {
     double nearest = GapRoot.DOUBT;
     for (int i = 0; i < GapRoot.CORRECTIONS && Double.isNaN(nearest); i++) {
       BoundedNumber residue = at(t, 0).gap(region);
-      double slope = slope(region, t);
+      double slope = f.turnWindow().slope(region, t);
       nearest = GapRoot.nearest(t, residue.head(), slope, Math.sqrt(residue.terms()));
       t -= residue.head() / slope;
     }
     return nearest;
-  }
-
-  /** The derivative of the gap of {@link TurningGaps}. */
-  private double slope(int region, double t) {
-    Turn c = f.turn.at(t);
-    double change = 2 * (c.q1 * c.x + c.q2 * c.y); // n'
-    double reChange = 2 * (c.x * c.q1 - c.y * c.q2);
-    double imChange = 2 * (c.x * c.q2 + c.y * c.q1);
-    double dx = f.fromPivotX(t);
-    double dy = f.fromPivotY(t);
-    double vx = f.vx + f.gx * t;
-    double vy = f.vy + f.gy * t;
-    boolean isSide = region == Gaps.BESIDE;
-    double ex = (region == Gaps.BEYOND ? f.bx : f.ax) - c.pivotX;
-    double ey = (region == Gaps.BEYOND ? f.by : f.ay) - c.pivotY;
-    double wx = isSide ? f.wx : ex;
-    double wy = isSide ? f.wy : ey;
-    double turnedX = wx * c.re - wy * c.im;
-    double turnedY = wx * c.im + wy * c.re;
-    double changeX = wx * reChange - wy * imChange;
-    double changeY = wx * imChange + wy * reChange;
-    double r = f.r + f.radius;
-    if (!isSide) {
-      double square = dx * dx + dy * dy + (ex * ex + ey * ey - r * r);
-      double along = changeX * dx + changeY * dy + (turnedX * vx + turnedY * vy);
-      return change * square + 2 * c.n * (dx * vx + dy * vy) - 2 * along;
-    }
-    double constant = wx * ey - wy * ex;
-    double height = turnedX * dy - turnedY * dx - constant * c.n;
-    double rise = changeX * dy - changeY * dx + (turnedX * vy - turnedY * vx) - constant * change;
-    return 2 * (height * rise - r * r * (wx * wx + wy * wy) * c.n * change);
   }
 
   /** The unit normal to the left of a line, or to the right for the side -1, at a time. */
@@ -105,7 +75,7 @@ final class TurningRoot {
       return haveOneCentre ? null : UnitVectors.unit(f.px, f.py, qx, qy);
     }
     BoundedNumber residue = at(t, 0).gap(region);
-    double slope = slope(region, t);
+    double slope = f.turnWindow().slope(region, t);
     double c = -residue.head() / slope;
     double error = GapRoot.stepError(t, c, slope, Math.sqrt(residue.terms()));
     TurningGaps<BoundedNumber> here = at(t, c);
