@@ -6,6 +6,7 @@ import dev.carom.internal.state.CircleTable;
 import dev.carom.internal.state.Codes;
 import dev.carom.internal.state.FilterBits;
 import dev.carom.internal.state.MovingCircle;
+import dev.carom.internal.state.ObstacleMotions;
 import dev.carom.internal.state.ObstacleRows;
 import dev.carom.internal.state.ObstacleTable;
 import dev.carom.internal.state.OutlinePoints;
@@ -370,7 +371,8 @@ public final class Editor {
     for (int each = code; each < end; each++) {
       obstacles.numbersAt(each, now, numbers);
       bring(rows, fromX, fromY, x, y);
-      engine.moveTo(each, numbers, ux, uy, now, rests ? INFINITE : arrival);
+      double[] motion = ObstacleMotions.motion(each, ux, uy, now, rests ? INFINITE : arrival);
+      engine.moveTo(each, numbers, motion, now);
       keepPlace(rows);
     }
   }

@@ -270,10 +270,10 @@ public abstract class Engine {
   }
 
   /** Lets a line or a peg move until it arrives, see {@link ObstacleTable#moveTo}. */
-  final void moveTo(int code, double[] numbers, double ux, double uy, double now, double arrival) {
+  final void moveTo(int code, double[] numbers, double[] motion, double now) {
     boolean isInGrids = !staticScene.obstacles.moves(code);
     forget(code);
-    staticScene.obstacles.moveTo(code, numbers, ux, uy, now, arrival);
+    staticScene.obstacles.moveTo(code, numbers, motion);
     moved(code, isInGrids, now);
   }
 

@@ -12,9 +12,19 @@ import java.util.SortedMap;
 
 /**
  * The motions of obstacles, in the order of their codes: the velocity of each number of the
- * obstacle's row, and when the motion starts and ends. The row of the obstacle says where it is at
- * the start of a motion that never ends, and else at its end: so it arrives there to the bit, and
- * rests. An obstacle that once moved stays listed.
+ * obstacle's row, or the turn about a pivot, and when the motion starts and ends. The row of the
+ * obstacle says where it is at the start of a motion that never ends, and else at its end: so it
+ * arrives there to the bit, and rests. An obstacle that once moved stays listed.
+ *
+ * <p>A <i>turn</i> rotates the vector w from the pivot to a point, by a complex number that is
+ * linear in the time h from any moment on:
+ *
+ * <pre>
+ * w(h) = w(0) c^2 / |c|^2    c = 1 + q h
+ * </pre>
+ *
+ * <p>Its rate is {@code 2 Im(q) / |c|^2}. Seen from the moment h, q is {@code q / c(h)}. The
+ * columns have q at the end of the turn.
  *
  * <p>Objects that share motions do not see each other's changes: see {@link #shared}.
  */
@@ -25,7 +35,11 @@ public final class ObstacleMotions {
       new ObstacleMotions(new int[0], new double[0]).shared();
 
   // The columns of a motion, after the velocities of the numbers of a row.
-  private static final int SINCE = ObstacleTable.MOST_NUMBERS;
+  private static final int PIVOT_X = ObstacleTable.MOST_NUMBERS;
+  private static final int PIVOT_Y = PIVOT_X + 1;
+  private static final int TURN_X = PIVOT_Y + 1;
+  private static final int TURN_Y = TURN_X + 1;
+  private static final int SINCE = TURN_Y + 1;
   private static final int UNTIL = SINCE + 1;
 
   /** The number of columns. */
@@ -70,19 +84,36 @@ public final class ObstacleMotions {
 
   /** A motion of an obstacle with one velocity, which never ends. */
   public static double[] motion(int code, double ux, double uy, double since) {
+    return motion(code, ux, uy, since, NEVER);
+  }
+
+  /** A motion of an obstacle with one velocity between two times. */
+  public static double[] motion(int code, double ux, double uy, double since, double until) {
     double[] motion = new double[SIZE];
-    set(motion, 0, code, ux, uy, since, NEVER);
+    motion[LineShape.AX] = ux;
+    motion[LineShape.AY] = uy;
+    motion[LineShape.BX] = Codes.isLine(code) ? ux : 0; // a radius stays
+    motion[LineShape.BY] = Codes.isLine(code) ? uy : 0;
+    motion[SINCE] = since;
+    motion[UNTIL] = until;
     return motion;
   }
 
-  private static void set(
-      double[] motions, int k, int code, double ux, double uy, double since, double until) {
-    motions[k + LineShape.AX] = ux;
-    motions[k + LineShape.AY] = uy;
-    motions[k + LineShape.BX] = Codes.isLine(code) ? ux : 0; // a radius stays
-    motions[k + LineShape.BY] = Codes.isLine(code) ? uy : 0;
-    motions[k + SINCE] = since;
-    motions[k + UNTIL] = until;
+  /**
+   * A turn by an angle of at most a quarter turn about a pivot, between two times: q is {@code (1 -
+   * e^(-i angle / 2)) / duration}.
+   */
+  public static double[] turn(
+      double pivotX, double pivotY, double angle, double since, double until) {
+    double[] motion = new double[SIZE];
+    double sine = StrictMath.sin(0.25 * angle);
+    motion[PIVOT_X] = pivotX;
+    motion[PIVOT_Y] = pivotY;
+    motion[TURN_X] = 2 * sine * sine / (until - since);
+    motion[TURN_Y] = StrictMath.sin(0.5 * angle) / (until - since);
+    motion[SINCE] = since;
+    motion[UNTIL] = until;
+    return motion;
   }
 
   /** The same, for one more object to use: whichever is to be changed is copied first. */
@@ -156,7 +187,46 @@ public final class ObstacleMotions {
 
   /** The velocity of a number of the row of obstacle i. */
   public double velocity(int i, int number) {
-    return motions[i * SIZE + number];
+    return column(i, number);
+  }
+
+  private double column(int i, int column) {
+    return motions[i * SIZE + column];
+  }
+
+  /** Whether motion i is a turn. */
+  public boolean turns(int i) {
+    return column(i, TURN_X) != 0 || column(i, TURN_Y) != 0;
+  }
+
+  public double pivotX(int i) {
+    return column(i, PIVOT_X);
+  }
+
+  public double pivotY(int i) {
+    return column(i, PIVOT_Y);
+  }
+
+  /** The real part of q of motion i, seen from a time, given as head and tail. */
+  public double turnX(int i, double head, double tail) {
+    double qx = column(i, TURN_X);
+    double qy = column(i, TURN_Y);
+    double dt = elapsed(i, head, tail);
+    return fma(qx * qx + qy * qy, dt, qx) / square(qx, qy, dt);
+  }
+
+  /** The imaginary part of that q: half of the angular velocity. */
+  public double turnY(int i, double head, double tail) {
+    double qx = column(i, TURN_X);
+    double qy = column(i, TURN_Y);
+    return qy / square(qx, qy, elapsed(i, head, tail));
+  }
+
+  /** |1 + q t|^2. */
+  private static double square(double qx, double qy, double t) {
+    double x = fma(qx, t, 1);
+    double y = qy * t;
+    return x * x + y * y;
   }
 
   /** A copy of motion i. */
@@ -191,32 +261,49 @@ public final class ObstacleMotions {
     for (int c = 0; c < numbers; c++) {
       to[at + c] = Coordinates.within(fma(velocity(i, c), dt, from[k + c]));
     }
+    if (turns(i)) {
+      double x = fma(column(i, TURN_X), dt, 1);
+      double y = column(i, TURN_Y) * dt;
+      int ends = Codes.isLine(codes[i]) ? LineShape.END : 0;
+      for (int c = 0; c <= ends; c += LineShape.END) {
+        turn(pivotX(i), pivotY(i), x, y, to, at + c);
+      }
+    }
+  }
+
+  /**
+   * Turns the point at k in an array about a pivot as c^2 turns, {@code c = (x, y)}. What is equal
+   * stays so.
+   *
+   * <p>It adds {@code (c^2 / |c|^2 - 1) w}, which is {@code 2 y / |c|^2} times the vector {@code i
+   * c w}.
+   */
+  public static void turn(double pivotX, double pivotY, double x, double y, double[] xy, int k) {
+    double wx = xy[k] - pivotX;
+    double wy = xy[k + 1] - pivotY;
+    double part = 2 * y / (x * x + y * y);
+    xy[k] = Coordinates.within(fma(-part, y * wx + x * wy, xy[k]));
+    xy[k + 1] = Coordinates.within(fma(part, x * wx - y * wy, xy[k + 1]));
   }
 
   /** These motions, of which that of an obstacle has this velocity and never ends. */
   ObstacleMotions with(int code, double ux, double uy, double since) {
-    return with(code, ux, uy, since, NEVER);
+    return with(code, motion(code, ux, uy, since));
   }
 
-  /** These motions, of which that of an obstacle has this velocity between two times. */
-  ObstacleMotions with(int code, double ux, double uy, double since, double until) {
+  /** These motions, of which that of an obstacle is a given one. */
+  ObstacleMotions with(int code, double[] motion) {
     int i = Math.max(indexOf(code), -1 - indexOf(code));
     ObstacleMotions all = indexOf(code) < 0 ? spliced(i, i + 1) : own();
     all.codes[i] = code;
-    set(all.motions, i * SIZE, code, ux, uy, since, until);
+    System.arraycopy(motion, 0, all.motions, i * SIZE, SIZE);
     all.findNextEnd();
     return all;
   }
 
   /** These motions, of which that of an obstacle is number 0 of others; null if it has none. */
   ObstacleMotions with(int code, ObstacleMotions its) {
-    if (its == null) {
-      return without(code);
-    }
-    ObstacleMotions all = with(code, 0, 0, 0);
-    System.arraycopy(its.motions, 0, all.motions, all.indexOf(code) * SIZE, SIZE);
-    all.findNextEnd();
-    return all;
+    return its == null ? without(code) : with(code, its.motion(0));
   }
 
   /** These motions without that of an obstacle. */

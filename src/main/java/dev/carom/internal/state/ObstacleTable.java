@@ -356,7 +356,37 @@ public final class ObstacleTable {
 
   /** Whether an obstacle does not move now. */
   public boolean isAtRest(int code) {
-    return ux(code) == 0 && uy(code) == 0;
+    return ux(code) == 0 && uy(code) == 0 && !turns(code);
+  }
+
+  /** Whether an obstacle turns about a pivot; its velocity counts as 0 then. */
+  public boolean turns(int code) {
+    return moves(code) && motions.turns(motions.indexOf(code));
+  }
+
+  public double pivotX(int code) {
+    return motions.pivotX(motions.indexOf(code));
+  }
+
+  public double pivotY(int code) {
+    return motions.pivotY(motions.indexOf(code));
+  }
+
+  /** The angular velocity of an obstacle that turns, at a time, given as head and tail. */
+  public double rate(int code, double head, double tail) {
+    return 2 * turnY(code, head, tail);
+  }
+
+  /**
+   * The real part of q, of an obstacle that turns, seen from a time: see {@link ObstacleMotions}.
+   */
+  public double turnX(int code, double head, double tail) {
+    return motions.turnX(motions.indexOf(code), epoch + head, tail);
+  }
+
+  /** The imaginary part of that q. */
+  public double turnY(int code, double head, double tail) {
+    return motions.turnY(motions.indexOf(code), epoch + head, tail);
   }
 
   public double ux(int code) {
@@ -438,13 +468,14 @@ public final class ObstacleTable {
   }
 
   /**
-   * Lets an obstacle move with a velocity until it arrives, and then rest.
+   * Lets an obstacle move until it arrives, and then rest.
    *
    * @param numbers those before its restitution at its arrival
+   * @param motion see {@link ObstacleMotions}
    */
-  public void moveTo(int code, double[] numbers, double ux, double uy, double now, double arrival) {
+  public void moveTo(int code, double[] numbers, double[] motion) {
     of(code).move(code, numbers);
-    motions = motions.with(code, ux, uy, now, arrival);
+    motions = motions.with(code, motion);
   }
 
   /** Whether an obstacle is on its way to a place, to arrive at a time, or rests there. */
@@ -453,7 +484,7 @@ public final class ObstacleTable {
     int k = rows.offset(code);
     boolean isMeant =
         rows.values[k + ObstacleShape.X] == x && rows.values[k + ObstacleShape.Y] == y;
-    return isMeant && (isAtRest(code) || arrival(code) == arrival);
+    return isMeant && !turns(code) && (isAtRest(code) || arrival(code) == arrival);
   }
 
   /** Writes the numbers of an obstacle before its restitution at a time. */

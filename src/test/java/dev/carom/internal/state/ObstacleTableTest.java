@@ -2,11 +2,13 @@
 package dev.carom.internal.state;
 
 import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.within;
 
 import dev.carom.Internals;
 import dev.carom.Scene;
 import dev.carom.SceneBuilder;
 import dev.carom.internal.response.ScaledVectors;
+import dev.carom.internal.sweep.LineShape;
 import dev.carom.internal.util.KindNumber;
 import java.util.List;
 import java.util.Random;
@@ -144,5 +146,32 @@ class ObstacleTableTest {
       assertThat(all.areSpecial()).isFalse();
       assertThat(all.haveSensors()).isFalse();
     }
+  }
+
+  /** A windmill blade a quarter turn on its way: its velocity is none, its rate is. */
+  @Test
+  void whatTurnsIsNotAtRest() {
+    ObstacleTable all = obstacles();
+    int code = Codes.line(0);
+    double[] there = {1, 2, 1, 5};
+    all.moveTo(code, there, ObstacleMotions.turn(1, 2, Math.PI / 2, 0, 2));
+    assertThat(all.turns(code)).isTrue();
+    assertThat(all.isAtRest(code)).isFalse();
+    assertThat(all.ux(code)).isZero();
+    assertThat(all.pivotX(code)).isEqualTo(1);
+    assertThat(all.pivotY(code)).isEqualTo(2);
+    assertThat(all.goesTo(code, 1, 2, 2)).isFalse(); // that is straight
+    double[] row = all.rowAt(code, 0.5, 0.5);
+    assertThat(row[LineShape.BX]).isCloseTo(1 + 3 * Math.sqrt(0.5), within(1e-15));
+    assertThat(row[LineShape.BY]).isCloseTo(2 + 3 * Math.sqrt(0.5), within(1e-15));
+    assertThat(all.rate(code, 1, 0)).isCloseTo(2 * Math.tan(Math.PI / 8), within(1e-15));
+    assertThat(all.rate(code, 2, 0)).isEqualTo(2 * all.turnY(code, 2, 0));
+    all.beginQuestion(0.5);
+    assertThat(all.rowAt(code, 0.25, 0.25)).isEqualTo(row);
+    all.endQuestion();
+    all.setVelocity(code, 0, 0, 2);
+    assertThat(all.turns(code)).isFalse();
+    assertThat(all.isAtRest(code)).isTrue();
+    assertThat(all.rowAt(code, 3, 0)).startsWith(there);
   }
 }
