@@ -75,7 +75,7 @@ public final class Snapshot {
    * Writes this snapshot in a format of its own, with a version and a check sum.
    *
    * <p>It takes 105 bytes a circle, 41 a line, 33 a peg, and 151 for the rest, 119 without bounds.
-   * To these come 52 more for each line or peg that moves or moved before, and 1 for each that was
+   * To these come 84 more for each line or peg that moves or moved before, and 1 for each that was
    * removed. Each side of an outline is a line, and each but its first takes 4 more. Some states of
    * one circle make all circles larger:
    *

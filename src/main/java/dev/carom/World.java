@@ -57,8 +57,8 @@ import java.util.Optional;
  *
  * <p>See <a href="doc-files/rules.html">Rules and limits</a>: contact, edits, questions, budget,
  * stuck circles, moving obstacles, gravity, infinite mass, accuracy. <a
- * href="doc-files/recipes.html">Recipes</a>: frames and netcode, a paddle, a piston, pockets, balls
- * that fall, teams, an aiming line, a lidar, periodic cells, Lyapunov exponents.
+ * href="doc-files/recipes.html">Recipes</a>: frames and netcode, a paddle, a flipper, a piston,
+ * pockets, balls that fall, teams, an aiming line, a lidar, periodic cells, Lyapunov exponents.
  */
 public final class World implements Resolver {
 
@@ -416,7 +416,9 @@ public final class World implements Resolver {
    *
    * @param kind its kind
    * @param id its id
-   * @return the velocity; (0, 0) for a wall, and for a line or a peg that does not move
+   * @return the velocity; (0, 0) for a wall, and for a line or a peg that does not move. Of one
+   *     that {@linkplain #turn turns} it is the velocity of the start of a line, the first point of
+   *     an outline or the centre of a peg: (0, 0) if that is the pivot
    * @throws IndexOutOfBoundsException if there is no such thing
    */
   public Vec2 velocity(Kind kind, int id) {
@@ -766,12 +768,57 @@ public final class World implements Resolver {
    *     or if the kind is {@link Kind#WALL} or {@link Kind#CIRCLE}
    */
   public void moveTo(Kind kind, int id, double x, double y, double arrival) {
+    int code = driven(kind, id);
+    edit().moveTo(code, x, y, arrival, now);
+  }
+
+  /** Returns the code of an obstacle that can be sent somewhere. */
+  private int driven(Kind kind, int id) {
     int code = code(kind, id);
     if (kind == Kind.WALL || kind == Kind.CIRCLE) {
       throw Check.refused(
           "kind", kind, "LINE or PEG: walls do not move, and a circle is steered by setVelocity");
     }
-    edit().moveTo(code, x, y, arrival, now);
+    return code;
+  }
+
+  /**
+   * Turns a line, an outline or a peg about a pivot by an angle, until a given time. Then it rests.
+   *
+   * <p>The motion is an exact rotation from where the obstacle is now. It pushes the circles in its
+   * way with the velocity of its material point at the contact. The rate is nearly even: in the
+   * middle it is more than at the ends by {@code tan^2(angle / 4)}, 0.2 % for 10 degrees and 4 %
+   * for 45. At the time of arrival the place is the exact one, each coordinate rounded about once,
+   * and the obstacle stops there by itself, also within a step. {@link #setVelocity(Kind, int,
+   * double, double) setVelocity}, {@link #moveTo moveTo}, a move to another place, or another
+   * {@code turn} replaces this motion, from where the obstacle is then.
+   *
+   * <pre>{@code
+   * World world =
+   *     new World(Scene.builder().line(0, 0, 30, 0).circle(20, 4, 4, 0, 0).build());
+   * world.turn(Kind.LINE, 0, 0, 0, Math.toRadians(50), 0.025); // a flipper
+   * }</pre>
+   *
+   * <p>A circle that was hit can be hit again by the same turn, also without gravity. What is
+   * driven is not slowed by a circle: see <a href="doc-files/rules.html#turning">things that
+   * turn</a>, and <a href="doc-files/recipes.html#flipper">a flipper</a>.
+   *
+   * @param kind its kind: {@link Kind#LINE} or {@link Kind#PEG}
+   * @param id its id
+   * @param pivotX the x coordinate of the pivot, finite; any point, on the obstacle or elsewhere
+   * @param pivotY the y coordinate of the pivot, finite
+   * @param angle the angle in radians, counterclockwise, at most a quarter turn: from {@code -PI /
+   *     2} to {@code PI / 2}
+   * @param arrival the time at which it ends, finite and after {@link #now}
+   * @throws IndexOutOfBoundsException if there is no such thing
+   * @throws IllegalArgumentException if the angle is larger, or NaN; if the arrival is not a finite
+   *     time after now, or so soon that the velocity would be infinite; if a coordinate of the
+   *     pivot, or one on the way, is refused, as by {@link #addLine addLine}; or if the kind is
+   *     {@link Kind#WALL} or {@link Kind#CIRCLE}
+   */
+  public void turn(Kind kind, int id, double pivotX, double pivotY, double angle, double arrival) {
+    int code = driven(kind, id);
+    edit().turn(code, pivotX, pivotY, angle, arrival, now);
   }
 
   /**

@@ -6,6 +6,7 @@ import dev.carom.internal.state.CircleRegistry;
 import dev.carom.internal.state.CircleTable;
 import dev.carom.internal.state.Codes;
 import dev.carom.internal.state.ObstacleTable;
+import dev.carom.internal.sweep.ObstacleShape;
 
 /** Tells of the things in a world. */
 final class WorldQueries {
@@ -74,9 +75,16 @@ final class WorldQueries {
     if (Codes.isCircle(code)) {
       return new Vec2(circles.vx(Codes.slot(code), now), circles.vy(Codes.slot(code), now));
     }
-    return obstacles.arrival(code) <= now
-        ? Vec2.ZERO
-        : new Vec2(obstacles.ux(code), obstacles.uy(code));
+    if (obstacles.arrival(code) <= now) {
+      return Vec2.ZERO;
+    }
+    if (!obstacles.turns(code)) {
+      return new Vec2(obstacles.ux(code), obstacles.uy(code));
+    }
+    double[] row = obstacles.rowAt(code, now, 0);
+    return Vec2.within(
+        obstacles.velocityX(code, row[ObstacleShape.Y], now, 0),
+        obstacles.velocityY(code, row[ObstacleShape.X], now, 0));
   }
 
   /** Tells whether a circle is carried, and moves as what carries it. */

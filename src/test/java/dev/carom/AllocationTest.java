@@ -180,6 +180,7 @@ class AllocationTest {
         Map.of(
             "velocities", setVelocities(),
             "arrivals", moveTo(),
+            "turns", turn(),
             "places", move(),
             "velocity of a circle", steerCircle(),
             "place of a circle", placeCircle());
@@ -192,7 +193,7 @@ class AllocationTest {
       for (int i = 0; i < 2; i++) {
         builder.line(180 + 400 * i, -30, 200 + 400 * i, -29).peg(200 + 400 * i, 400, 10);
       }
-      if (each.getKey().equals("arrivals")) {
+      if (each.getKey().equals("arrivals") || each.getKey().equals("turns")) {
         builder.outline(Outline.rectangle(380, -40, 400, -20));
       }
       World world = new World(builder.circle(400.3, 100.7, 10, 4.1, 2.9).build());
@@ -240,6 +241,18 @@ class AllocationTest {
         world.moveTo(Kind.LINE, id, x - 20, -30, world.now() + 1);
       }
       world.moveTo(Kind.LINE, 2, 380 + 0.1 * (frame % 20), -40, world.now() + 1); // an outline
+    };
+  }
+
+  /** There and back, about points in and beside them. */
+  private static Edits turn() {
+    return (world, frame) -> {
+      double angle = toAndFro(frame, 0.01);
+      for (int id = 0; id < 2; id++) {
+        world.turn(Kind.PEG, id, 200 + 400 * id, 380, angle, world.now() + 1);
+        world.turn(Kind.LINE, id, 180 + 400 * id, -30, angle, world.now() + 1);
+      }
+      world.turn(Kind.LINE, 2, 400, -40, angle, world.now() + 1); // an outline
     };
   }
 

@@ -22,6 +22,9 @@ final class EditSession {
   /** The source of random velocities of obstacles; null if none moves. */
   private final Random motion;
 
+  /** The source of random turns; null if nothing turns. */
+  private final Random turning;
+
   /** The source of random gravity; null for a session without. */
   private final Random falling;
 
@@ -56,6 +59,7 @@ final class EditSession {
     random = new Random(seed);
     masks = masked ? new Random(seed + 2) : null;
     motion = moving ? new Random(seed + 1) : null;
+    turning = moving && seed % 3 == 0 ? new Random(seed + 4) : null;
     falling = falls ? new Random(seed + 3) : null;
     this.length = length;
     this.mostImpacts = mostImpacts;
@@ -221,11 +225,13 @@ final class EditSession {
     worlds.edit(w -> w.setVelocity(id, vx, vy), p -> p.setVelocity(id, vx, vy));
   }
 
-  /** Often with whole velocities, those of circles, or to rest, or to a place. */
+  /** Often with whole velocities, those of circles, or to rest, or to a place, or about a pivot. */
   private void setObstacleInMotion() {
     Kind kind = motion.nextBoolean() ? Kind.LINE : Kind.PEG;
     int id = some(kind);
-    if (id >= 0 && motion.nextInt(5) == 0) {
+    if (id >= 0 && turning != null && turning.nextInt(3) > 0) {
+      turn(kind, id);
+    } else if (id >= 0 && motion.nextInt(5) == 0) {
       double x = numbers.x();
       double y = numbers.y();
       double arrival = world().now() + numbers.duration(4, motion.nextBoolean());
@@ -235,6 +241,20 @@ final class EditSession {
       double vy = motion.nextInt(5) == 0 ? 0 : numbers.speed();
       worlds.edit(w -> w.setVelocity(kind, id, vx, vy), p -> p.setVelocity(kind, id, vx, vy));
     }
+  }
+
+  /** About any point, or the place of the thing; often by half of a right angle, or hardly. */
+  private void turn(Kind kind, int id) {
+    Line line = kind == Kind.LINE ? world().line(id) : null;
+    Vec2 place = line == null ? world().peg(id).center() : line.start();
+    boolean isThere = turning.nextBoolean();
+    double x = isThere ? place.x() : numbers.x();
+    double y = isThere ? place.y() : numbers.y();
+    double part = turning.nextBoolean() ? 0.5 : turning.nextInt(8) == 0 ? 1e-12 : 1;
+    double angle = 0.5 * Math.PI * (turning.nextBoolean() ? part : part * turning.nextGaussian());
+    double arrival = world().now() + numbers.duration(4, turning.nextBoolean());
+    worlds.edit(
+        w -> w.turn(kind, id, x, y, angle, arrival), p -> p.turn(kind, id, x, y, angle, arrival));
   }
 
   private void setGravity() {

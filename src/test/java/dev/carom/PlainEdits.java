@@ -5,7 +5,9 @@ import dev.carom.internal.state.Codes;
 import dev.carom.internal.state.ContactFlags;
 import dev.carom.internal.state.FilterBits;
 import dev.carom.internal.state.MovingCircle;
+import dev.carom.internal.state.ObstacleMotions;
 import dev.carom.internal.util.KindNumber;
+import java.util.Arrays;
 import java.util.HashMap;
 
 /** The edits of a {@link PlainWorld}: they change the flights as {@link World} tells. */
@@ -100,8 +102,7 @@ abstract class PlainEdits extends PlainSearch {
   /** A circle at the start of a new flight, which goes on as the one before. */
   private MovingCircle begunAnew(int id) {
     MovingCircle m = bodies.get(id);
-    boolean confined = meets(id, obstacles.filter(Codes.LEFT));
-    m.restart(now, tailOfEdit(m), confined ? obstacles.walls : null);
+    m.restart(now, tailOfEdit(m), obstacles);
     begin(m);
     if (registry.mass(id) == Double.POSITIVE_INFINITY) {
       leaveJams(Codes.circle(id));
@@ -186,7 +187,28 @@ abstract class PlainEdits extends PlainSearch {
     row[0] = x;
     row[1] = y;
     letFallFrom(code);
-    obstacles.moveTo(code, row, ux, uy, now, arrival);
+    double[] motion = new double[ObstacleMotions.SIZE];
+    ObstacleMotions.setStraight(motion, 0, code, ux, uy, now, arrival);
+    obstacles.moveTo(code, row, motion);
+    appear(code);
+  }
+
+  /** Turns a line or a peg. */
+  void turn(Kind kind, int id, double pivotX, double pivotY, double angle, double arrival) {
+    int code = Codes.of(kind.ordinal(), id);
+    double[] row = obstacles.rowAt(code, now, 0);
+    double[] before = row.clone();
+    double x = StrictMath.cos(0.5 * angle);
+    double y = StrictMath.sin(0.5 * angle);
+    for (int end = 0; end < (kind == Kind.LINE ? 4 : 2); end += 2) {
+      ObstacleMotions.turn(pivotX, pivotY, x, y, row, end);
+    }
+    letFallFrom(code);
+    double[] motion = ObstacleMotions.motion(code, 0, 0, now);
+    if (!Arrays.equals(row, before)) {
+      ObstacleMotions.setTurn(motion, pivotX, pivotY, angle, now, arrival);
+    }
+    obstacles.moveTo(code, row, motion);
     appear(code);
   }
 

@@ -87,7 +87,7 @@ abstract class PlainSearch extends PlainState {
       return;
     }
     m.contact = 0;
-    if (m.isFalling()) {
+    if (isByCurve(m, code)) {
       m.contact = falls.contact(m, code, best);
     } else if (Codes.isLine(code)) {
       double[] l = obstacles.rowAt(code, m.t, m.tl);
@@ -102,13 +102,13 @@ abstract class PlainSearch extends PlainState {
 
   /** Whether contact keeps a member from an obstacle. */
   private boolean isHeldFrom(MovingCircle m, int k) {
-    boolean alike = obstacles.ux(k) == m.vx && obstacles.uy(k) == m.vy;
+    boolean alike = obstacles.ux(k) == m.vx && obstacles.uy(k) == m.vy && !obstacles.turns(k);
     return m.isMember() && !obstacles.isSensor(k) && (m.mode != MovingCircle.FROZEN || alike);
   }
 
   /** When a circle next meets an obstacle, in its flight and after all that it met in that. */
   private double next(MovingCircle m, int code) {
-    if (m.isFalling()) {
+    if (isByCurve(m, code)) {
       return falls.time(m, code, met.get(m.id).getOrDefault(code, 0.0));
     }
     if (code == m.last) {
@@ -243,7 +243,13 @@ abstract class PlainSearch extends PlainState {
 
   /** Whether a flight would meet an obstacle, if it never ended. */
   boolean isAhead(MovingCircle m, int code) {
-    return untilArrival(m, code, m.isFalling() ? falls.time(m, code, 0) : sweep(m, code)) < NEVER;
+    double t = isByCurve(m, code) ? falls.time(m, code, 0) : sweep(m, code);
+    return untilArrival(m, code, t) < NEVER;
+  }
+
+  /** Whether a circle comes to an obstacle on a curve, as seen from that. */
+  private boolean isByCurve(MovingCircle m, int code) {
+    return m.isFalling() || obstacles.turns(code);
   }
 
   /** A time of impact; infinite if the obstacle has arrived before. */

@@ -105,6 +105,20 @@ class RefusedEditTest {
                 + " setVelocity",
             w -> w.moveTo(CIRCLE, 0, 1, 1, 9)),
         refused("kind is WALL: expected LINE or PEG", w -> w.moveTo(WALL, 0, 1, 1, 9)),
+        refused("line 0: pivotX is NaN" + FINITE, w -> w.turn(LINE, 0, NAN, 1, 1, 9)),
+        refused("peg 0: pivotY is 1.0E13" + TOO_LARGE, w -> w.turn(PEG, 0, 1, 1e13, 1, 9)),
+        refused(
+            "line 0: angle is 1.6: expected at most a quarter turn, +-1.5707963267948966",
+            w -> w.turn(LINE, 0, 1, 1, 1.6, 9)),
+        refused("line 0: angle is NaN: expected at most a", w -> w.turn(LINE, 0, 1, 1, NAN, 9)),
+        refused(
+            "peg 0: arrival is 3.0: expected a finite time after now, 3.0",
+            w -> w.turn(PEG, 0, 1, 1, 1, 3)),
+        refused("line 0: arrival is NaN: expected a", w -> w.turn(LINE, 0, 1, 1, 1, NAN)),
+        refused(
+            "kind is CIRCLE: expected LINE or PEG: walls do not move",
+            w -> w.turn(CIRCLE, 0, 1, 1, 1, 9)),
+        refused("kind is WALL: expected LINE or PEG", w -> w.turn(WALL, 0, 1, 1, 1, 9)),
         refused("kind is WALL: expected LINE, PEG or CIRCLE: walls stay", w -> w.remove(WALL, 0)),
         refused("dt is NaN: expected at least 0", w -> w.step(NAN)),
         refused("dt is -4.9E-324: expected at least 0", w -> w.step(-Double.MIN_VALUE)),

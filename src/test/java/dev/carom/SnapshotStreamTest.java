@@ -293,7 +293,7 @@ class SnapshotStreamTest {
     byte[] bytes = small();
     ByteBuffer.wrap(bytes).putInt(VERSION, 1);
     assertRefused(
-        bytes, "its format version is 1: expected 13, the only one that this library reads");
+        bytes, "its format version is 1: expected 14, the only one that this library reads");
   }
 
   @ParameterizedTest
@@ -437,11 +437,21 @@ class SnapshotStreamTest {
     assertRefused(bytes, message);
   }
 
+  @Test
+  void aTurnOfMoreThanAQuarterIsRefused() throws IOException {
+    byte[] bytes = small(0.125);
+    ByteBuffer.wrap(bytes).putDouble(MOTIONS + 68, -1 / 64.0).putDouble(MOTIONS + 84, 64);
+    assertRefused(bytes, "an obstacle turns by 1.0");
+    ByteBuffer.wrap(bytes).putDouble(MOTIONS + 68, -1 / 128.0);
+    seal(bytes);
+    assertThat(SnapshotBytes.of(read(bytes))).isEqualTo(bytes);
+  }
+
   /** The velocity of each end, and the end of the motion. */
   @Test
   void aMotionIsKeptAsAWhole() throws IOException {
     byte[] bytes = small(0.125);
-    ByteBuffer.wrap(bytes).putDouble(MOTIONS + 28, 0.5).putDouble(MOTIONS + 52, 50);
+    ByteBuffer.wrap(bytes).putDouble(MOTIONS + 28, 0.5).putDouble(MOTIONS + 84, 50);
     seal(bytes);
     assertThat(SnapshotBytes.of(read(bytes))).isEqualTo(bytes);
   }
@@ -467,10 +477,14 @@ class SnapshotStreamTest {
         "MOVES | 12 | NaN | the velocity of an obstacle is NaN",
         "MOVES | 20 | Infinity | the velocity of an obstacle is Infinity",
         "MOVES | 36 | -Infinity | the velocity of an obstacle is -Infinity",
-        "MOVES | 44 | -1 | an obstacle moves since -1.0",
-        "MOVES | 44 | 41 | an obstacle moves since 41.0",
-        "MOVES | 52 | -1 | an obstacle moves until -1.0",
-        "MOVES | 52 | NaN | an obstacle moves until NaN",
+        "MOVES | 44 | NaN | pivotX of an obstacle is NaN",
+        "MOVES | 52 | Infinity | pivotY of an obstacle is Infinity",
+        "MOVES | 60 | NaN | an obstacle turns by NaN",
+        "MOVES | 68 | 0.5 | an obstacle turns by Infinity",
+        "MOVES | 76 | -1 | an obstacle moves since -1.0",
+        "MOVES | 76 | 41 | an obstacle moves since 41.0",
+        "MOVES | 84 | -1 | an obstacle moves until -1.0",
+        "MOVES | 84 | NaN | an obstacle moves until NaN",
         "FLIGHT | 0 | NaN | a number of a circle is NaN",
         "FLIGHT | 8 | NaN | a number of a circle is NaN",
         "FLIGHT | 72 | NaN | a number of a circle is NaN",

@@ -13,14 +13,15 @@ import dev.carom.bench.charts.Still;
 import dev.carom.bench.charts.Style;
 import dev.carom.bench.charts.WorldScene;
 import java.awt.Graphics2D;
+import java.awt.event.KeyEvent;
 import java.awt.geom.Ellipse2D;
 import java.awt.geom.Path2D;
 import java.awt.geom.Rectangle2D;
 
 /**
- * A pinball table: slopes, and bumpers whose restitution is above 1. The plunger is a line that
- * moves; the ball rests on it, goes down with it and is thrown by it. A one-way line keeps the ball
- * out of the plunger's lane, and a sensor under the table reports a lost ball.
+ * A pinball table: slopes, bumpers whose restitution is above 1, two {@link Flipper flippers},
+ * which play by themselves until the first key, and a {@link Plunger plunger}. A one-way line keeps
+ * the ball out of its lane, and a sensor reports a lost ball.
  */
 public final class Pinball implements Example {
 
@@ -30,32 +31,33 @@ public final class Pinball implements Example {
   private static final double RADIUS = 5;
   private static final double GRAVITY = -0.06;
   private static final double REST = 30; // the plunger's height
-  private static final double PULL = -0.4;
-  private static final double THROW = 6;
   private static final int BALL = 0;
-  private static final int PLUNGER = 0; // a line
-  private static final int DRAIN = 1; // another one
+  private static final int DRAIN = 1; // a line
   private static final int TRAIL = 200;
   private static final double[][] BUMPERS = {{55, 175, 13}, {125, 175, 13}, {90, 125, 13}};
 
   final World world = table();
+  private final Plunger plunger = new Plunger(world, 0, REST);
+  private final Flipper left = new Flipper(world, 2, 1);
+  private final Flipper right = new Flipper(world, 3, -1);
   private final Timeline past = world.record(1_000);
   private final SceneDrawing drawing =
       SceneDrawing.of(world.scene()).withMargin(8).withArrowTime(0);
   private double lost; // when the last ball was
   int score;
   int balls = 1;
-  private boolean held;
-  private double goal = REST;
+  private boolean alone = true;
 
   private static World table() {
     SceneBuilder scene = Scene.builder().bounds(0, 0, WIDTH, HEIGHT).gravity(0, GRAVITY);
     scene.line(LANE, REST, WIDTH, REST);
     scene.line(0, 3, LANE, 3).response(Response.SENSOR);
+    Flipper.add(scene, 60, 36, 25, 1);
+    Flipper.add(scene, LANE - 60, 36, 25, -1);
     scene.line(LANE, 0, LANE, 200);
     scene.line(LANE, 200, LANE, HEIGHT).oneWay(); // its left is the table's side
     scene.line(LANE, HEIGHT, WIDTH, 225).line(0, 225, 30, HEIGHT);
-    scene.line(0, 60, 72, 30).line(LANE, 60, 108, 30);
+    scene.line(0, 60, 60, 36).line(LANE, 60, LANE - 60, 36);
     scene.line(22, 95, 40, 72).restitution(1.9).line(160, 95, 142, 72).restitution(1.9);
     for (double[] b : BUMPERS) {
       scene.peg(b[0], b[1], b[2]).restitution(1.9);
@@ -68,27 +70,24 @@ public final class Pinball implements Example {
   @Override
   public void frame() {
     boolean waits = world.x(BALL) > LANE && Math.abs(world.vy(BALL)) < 1e-3;
-    if (waits && !held && goal == REST && height() == REST) { // deeper or less deep each time
-      goal = 8 + 7 * (balls * 0.618 % 1);
+    if (waits && plunger.isReady()) {
+      plunger.pull(8 + 7 * (balls * 0.618 % 1)); // deeper or less deep each time
     }
-    plunge();
+    plunger.go();
+    if (alone) {
+      left.hold(left.isNear(BALL));
+      right.hold(right.isNear(BALL));
+    }
     world.step(1);
     readLog();
   }
 
-  /** Sets the velocity that leads to the goal, and no further: down slowly, then up at once. */
-  private void plunge() {
-    if (height() <= goal && goal < REST && !held) {
-      goal = REST;
+  @Override
+  public void key(int code, boolean down) {
+    if (code == KeyEvent.VK_LEFT || code == KeyEvent.VK_RIGHT) {
+      alone = false;
+      (code == KeyEvent.VK_LEFT ? left : right).hold(down);
     }
-    double v = Math.max(PULL, Math.min(THROW, goal - height()));
-    if (v != world.velocity(Kind.LINE, PLUNGER).y()) {
-      world.setVelocity(Kind.LINE, PLUNGER, 0, v);
-    }
-  }
-
-  private double height() {
-    return world.line(PLUNGER).ay();
   }
 
   private void readLog() {
@@ -108,19 +107,17 @@ public final class Pinball implements Example {
 
   @Override
   public void press() {
-    held = true;
-    goal = 6;
+    plunger.hold(6);
   }
 
   @Override
   public void release() {
-    held = false;
-    goal = REST;
+    plunger.release();
   }
 
   @Override
   public String hint() {
-    return "Hold the mouse button to pull the plunger down, let go to throw the ball.";
+    return "The left and right keys move the flippers; the mouse button pulls the plunger down.";
   }
 
   @Override

@@ -8,6 +8,7 @@ import dev.carom.Response;
 import dev.carom.Vec2;
 import dev.carom.World;
 import java.util.List;
+import java.util.Set;
 
 /**
  * Whether flights respect what is in their way, decided without the library's detector. Approaching
@@ -26,12 +27,20 @@ final class Crossings {
   private final Rounding rounding;
   private final MassCheck masses;
   private final PassedOver passed;
+  private final Set<String> turning;
 
   /** Whether there is gravity. */
   private final boolean falls;
 
-  Crossings(World world, Rounding rounding, MassCheck masses, PassedOver passed) {
+  /**
+   * A check.
+   *
+   * @param turning the names of the obstacles that turn; {@link TurnCheck} looks at these
+   */
+  Crossings(
+      World world, Rounding rounding, MassCheck masses, PassedOver passed, Set<String> turning) {
     this.world = world;
+    this.turning = turning;
     this.rounding = rounding;
     this.masses = masses;
     this.passed = passed;
@@ -72,7 +81,7 @@ final class Crossings {
   }
 
   private void checkObstacles(Flight f) throws FindingException {
-    for (Solid solid : Solid.of(world, f)) {
+    for (Solid solid : Solid.of(world, f, turning)) {
       if (!solid.moves() || !passed.mayPass(f)) {
         Flight seen = f.seenFrom(solid.velocity());
         if (solid.oneWay()) {
@@ -138,7 +147,7 @@ final class Crossings {
    * How near a flight may come; 0 where nothing is demanded. With gravity, what was hit last is hit
    * again where the flight comes as near to it as at its start, which may be before this piece.
    */
-  private static double limit(Flight f, double reach, double start, double slack) {
+  static double limit(Flight f, double reach, double start, double slack) {
     return f.begins() ? Math.min(reach, start) * (1 - 0x1p-50) - slack : 0;
   }
 

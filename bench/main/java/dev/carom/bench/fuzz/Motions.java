@@ -8,8 +8,11 @@ import dev.carom.Snapshot;
 import dev.carom.Vec2;
 import dev.carom.World;
 import dev.carom.bench.charts.Sides;
+import java.util.HashMap;
+import java.util.Map;
 import java.util.NavigableSet;
 import java.util.Random;
+import java.util.Set;
 import java.util.TreeSet;
 
 /**
@@ -27,14 +30,19 @@ final class Motions {
   private static final long SALT = 0x6D6F76696E67L;
 
   private final Random random;
+  private final Random turn;
   private final double length;
   private final double speed;
+
+  /** The names of the obstacles that were turned last, and until when. */
+  private final Map<String, Double> turns = new HashMap<>();
 
   /** The times to come at which obstacles arrive, unless they were sent elsewhere. */
   private final NavigableSet<Double> arrivals = new TreeSet<>();
 
   Motions(long seed, Numbers numbers) {
     random = new Random(seed ^ SALT);
+    turn = new Random(~seed ^ SALT);
     length = numbers.length();
     speed = numbers.speedUnit();
   }
@@ -54,8 +62,8 @@ final class Motions {
   }
 
   /**
-   * Sets a velocity or a place to go to, or nothing; returns whether it did. An edit that is
-   * refused must change nothing.
+   * Sets a velocity or a place to go to, or turns something, or nothing; returns whether it did. An
+   * edit that is refused must change nothing.
    */
   boolean edit(World world) throws FindingException {
     Kind kind = random.nextBoolean() ? Kind.LINE : Kind.PEG;
@@ -67,10 +75,16 @@ final class Motions {
     Vec2 v = velocity(place(world, kind, id));
     Snapshot before = world.snapshot();
     try {
-      if (random.nextInt(3) > 0) {
+      int what = turn.nextInt(4) == 0 ? 3 : random.nextInt(3);
+      if (what == 3) {
+        turn(world, kind, id);
+      } else if (what > 0) {
         world.setVelocity(kind, id, v.x(), v.y());
       } else {
         send(world, kind, id, v);
+      }
+      if (what != 3) {
+        turns.remove(Solid.name(kind, id));
       }
     } catch (IllegalArgumentException e) {
       if (!world.snapshot().equals(before)) {
@@ -87,6 +101,24 @@ final class Motions {
     double arrival = world.now() + time;
     world.moveTo(kind, id, from.x() + v.x() * time, from.y() + v.y() * time, arrival);
     arrivals.add(arrival);
+  }
+
+  /** Turns it about any point of the box for some steps, often there and back. */
+  private void turn(World world, Kind kind, int id) {
+    double time = length / speed * turn.nextInt(1, 20);
+    double x = length * Numbers.WIDTH * turn.nextDouble();
+    double y = length * Numbers.HEIGHT * turn.nextDouble();
+    double angle = turn.nextInt(4) == 0 ? 1e-6 * turn.nextGaussian() : turn.nextDouble() - 0.5;
+    double arrival = world.now() + time;
+    world.turn(kind, id, x, y, turn.nextBoolean() ? angle : Math.PI / 4, arrival);
+    arrivals.add(arrival);
+    turns.put(Solid.name(kind, id), arrival);
+  }
+
+  /** The names of the obstacles that may turn after a time. */
+  Set<String> turning(double time) {
+    turns.values().removeIf(arrival -> arrival <= time);
+    return Set.copyOf(turns.keySet());
   }
 
   /** The first time after a given one at which an obstacle may arrive. */

@@ -82,7 +82,7 @@ final class Session {
     scene = ordinary ? draws.build() : ends.scene();
     Set<Integer> trapped = edited ? Set.of() : ends.trapped();
     int most = ordinary ? MOST_IMPACTS : MOST_OF_TRAPPED;
-    watch = new StepWatch(scene, numbers.speedUnit(), trapped, most, seed);
+    watch = new StepWatch(scene, numbers.speedUnit(), trapped, motions, most, seed);
     enter(watch.world());
   }
 

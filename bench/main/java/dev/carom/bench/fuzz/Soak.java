@@ -43,7 +43,7 @@ public final class Soak {
    */
   public static SoakTimes run(Scene scene, long impacts, IntConsumer afterRound)
       throws FindingException {
-    StepWatch watch = new StepWatch(scene, 1, Set.of(), MOST_ROWS, 1);
+    StepWatch watch = new StepWatch(scene, 1, Set.of(), null, MOST_ROWS, 1);
     return run(watch, Soak::stepOn, impacts, afterRound);
   }
 
@@ -66,7 +66,7 @@ public final class Soak {
   public static SoakTimes run(EndScene.Layout kind, long seed, long impacts, IntConsumer afterRound)
       throws FindingException {
     EndScene ends = new EndScene(kind, new Random(seed), 1, 1);
-    StepWatch watch = new StepWatch(ends.scene(), 1, ends.trapped(), MOST_ROWS, seed);
+    StepWatch watch = new StepWatch(ends.scene(), 1, ends.trapped(), null, MOST_ROWS, seed);
     return run(watch, each -> each.step(ends, false), impacts, afterRound);
   }
 

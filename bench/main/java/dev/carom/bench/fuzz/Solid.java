@@ -14,6 +14,7 @@ import java.awt.geom.Line2D;
 import java.awt.geom.Path2D;
 import java.util.ArrayList;
 import java.util.List;
+import java.util.Set;
 
 /**
  * A line or a peg that a circle can meet and that is no sensor.
@@ -25,28 +26,28 @@ import java.util.List;
 record Solid(
     String name, Line axis, List<Line> whole, double radius, Vec2 velocity, boolean oneWay) {
 
-  /** All that a flight may meet. */
-  static List<Solid> of(World world, Flight f) {
+  /** All that a flight may meet, apart from things of given names. */
+  static List<Solid> of(World world, Flight f, Set<String> apart) {
     List<Solid> solids = new ArrayList<>();
     double ago = world.now() - f.from();
     for (int id : world.ids(Kind.LINE)) {
-      if (isSolid(world, f, Kind.LINE, id)) {
+      if (isSolid(world, f, Kind.LINE, id) && !apart.contains(name(Kind.LINE, id))) {
         Vec2 u = world.velocity(Kind.LINE, id);
         boolean oneWay = world.traits(Kind.LINE, id).oneWay();
         List<Line> sides = sides(world.shape(Kind.LINE, id), f, u, ago);
         boolean isWhole = isPolygon(world.shape(Kind.LINE, id));
         for (Line side : sides) {
           List<Line> whole = isWhole ? sides : List.of(side);
-          solids.add(new Solid("line " + id, side, whole, 0, u, oneWay));
+          solids.add(new Solid(name(Kind.LINE, id), side, whole, 0, u, oneWay));
         }
       }
     }
     for (int id : world.ids(Kind.PEG)) {
-      if (isSolid(world, f, Kind.PEG, id)) {
+      if (isSolid(world, f, Kind.PEG, id) && !apart.contains(name(Kind.PEG, id))) {
         Vec2 u = world.velocity(Kind.PEG, id);
         Circle peg = world.peg(id);
         Line axis = before(new Line(peg.x(), peg.y(), peg.x(), peg.y()), u, ago);
-        solids.add(new Solid("peg " + id, axis, List.of(axis), peg.radius(), u, false));
+        solids.add(new Solid(name(Kind.PEG, id), axis, List.of(axis), peg.radius(), u, false));
       }
     }
     return solids;
@@ -63,11 +64,15 @@ record Solid(
     return sides;
   }
 
-  private static boolean isPolygon(Obstacle shape) {
+  static boolean isPolygon(Obstacle shape) {
     return shape instanceof Outline outline && outline.solid();
   }
 
-  private static boolean isSolid(World world, Flight f, Kind kind, int id) {
+  static String name(Kind kind, int id) {
+    return (kind == Kind.LINE ? "line " : "peg ") + id;
+  }
+
+  static boolean isSolid(World world, Flight f, Kind kind, int id) {
     return world.traits(kind, id).response() != Response.SENSOR
         && Filters.meet(world, f.circle(), kind, id);
   }
@@ -98,7 +103,7 @@ record Solid(
     return offset(axis, x, y);
   }
 
-  private static Vec2 offset(Line axis, double x, double y) {
+  static Vec2 offset(Line axis, double x, double y) {
     double wx = axis.bx() - axis.ax();
     double wy = axis.by() - axis.ay();
     double dx = x - axis.ax();

@@ -28,6 +28,7 @@ final class StepWatch {
 
   private final Scene scene;
   private final double speedUnit;
+  private final Motions motions;
   private final Rounding rounding = new Rounding();
   private final MassCheck masses = new MassCheck();
   private final PassedOver passed = new PassedOver();
@@ -47,10 +48,18 @@ final class StepWatch {
    * Watches a world of its own.
    *
    * @param trapped circles that cannot leave their places
+   * @param motions those of obstacles; null where obstacles rest
    * @param mostRows of a step with more rows the flights are not checked
    */
-  StepWatch(Scene scene, double speedUnit, Set<Integer> trapped, int mostRows, long seed) {
+  StepWatch(
+      Scene scene,
+      double speedUnit,
+      Set<Integer> trapped,
+      Motions motions,
+      int mostRows,
+      long seed) {
     this.scene = scene;
+    this.motions = motions;
     this.speedUnit = speedUnit;
     this.mostRows = mostRows;
     jam = new JamCheck(trapped, speedUnit);
@@ -194,10 +203,12 @@ final class StepWatch {
       of.forEach(f -> rounding.keepSpeed(f.vx(), f.vy()));
     }
     masses.check(all);
-    if (!world.gravity().equals(Vec2.ZERO)) {
+    Set<String> turning = motions == null ? Set.of() : motions.turning(start);
+    if (!world.gravity().equals(Vec2.ZERO) && turning.isEmpty()) {
       new SupportCheck(world, rounding, passed).check(all);
     }
-    new Crossings(world, rounding, masses, passed).check(all);
+    new Crossings(world, rounding, masses, passed, turning).check(all);
+    new TurnCheck(world, rounding, passed, turning, timeline).check(all);
   }
 
   /** Everything there is now counts for the bound of rounding. */

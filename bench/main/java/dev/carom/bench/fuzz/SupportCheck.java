@@ -8,6 +8,7 @@ import dev.carom.Vec2;
 import dev.carom.World;
 import java.util.ArrayList;
 import java.util.List;
+import java.util.Set;
 
 /**
  * What keeps circles from falling. The acceleration in a flight is gravity, or the part of it along
@@ -84,7 +85,7 @@ final class SupportCheck {
     }
     tilts.clear();
     addWalls(f, near);
-    for (Solid solid : Solid.of(world, f)) {
+    for (Solid solid : Solid.of(world, f, Set.of())) {
       Vec2 offset = solid.offset(f.px(), f.py());
       addTouch(offset.x(), offset.y(), near + solid.radius());
     }

@@ -74,6 +74,25 @@ class ChecksTest extends FlightChecks {
     check(world, flight(95, 81, 65, 81.9)); // it flies along below the peg
   }
 
+  /** A line that turns from upright to level in one unit of time. */
+  @Test
+  void flightsThroughThingsThatTurnAreFound() throws FindingException {
+    World world = new World(box().circle(20, 50, 5, 1, 0).response(Response.SENSOR).build());
+    Timeline timeline = world.record(10);
+    world.turn(Kind.LINE, 0, 50, 50, Math.PI / 2, 1);
+    world.advanceTo(1);
+    rounding.keepPlace(100);
+    TurnCheck turns = new TurnCheck(world, rounding, passed, Set.of("line 0"), timeline);
+
+    for (Flight hit : List.of(flight(60, 50, 60, 50), flight(40, 30, 40, 90))) {
+      assertThatThrownBy(() -> turns.check(List.of(List.of(hit))))
+          .isInstanceOf(FindingException.class)
+          .hasMessageContaining("nearer to line 0, which turns, than");
+    }
+    turns.check(List.of(List.of(flight(90, 50, 90, 50), flight(60, 60, 75, 70))));
+    check(world, flight(60, 60, 75, 70)); // it is level now
+  }
+
   @Test
   void thingsThatMovePassOverJammedCirclesOnly() throws FindingException {
     SceneBuilder scene = Scene.builder().bounds(0, 0, 100, 100).line(50, 0, 50, 100).velocity(8, 0);
@@ -343,7 +362,7 @@ class ChecksTest extends FlightChecks {
   @Test
   void aStepThatDoesNotEndIsFound() throws FindingException {
     Scene scene = Scene.builder().bounds(0, 0, 2.000001, 9).circle(1, 5, 1, 99, 0).build();
-    StepWatch watch = new StepWatch(scene, 1, Set.of(), 100, 1);
+    StepWatch watch = new StepWatch(scene, 1, Set.of(), null, 100, 1);
     watch.step(1e-6);
     watch.demandEnd();
     watch.step(1);

@@ -5,6 +5,7 @@ import static org.assertj.core.api.Assertions.assertThatThrownBy;
 
 import dev.carom.World;
 import java.util.List;
+import java.util.Set;
 
 /** Tests that hold flights against what a world has in their way. */
 abstract class FlightChecks {
@@ -17,7 +18,7 @@ abstract class FlightChecks {
     rounding.keepPlace(100);
     rounding.keepSpeed(100, 100);
     masses.enter(world);
-    new Crossings(world, rounding, masses, passed)
+    new Crossings(world, rounding, masses, passed, Set.of())
         .check(List.of(flights).stream().map(List::of).toList());
   }
 

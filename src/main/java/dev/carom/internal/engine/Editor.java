@@ -33,6 +33,9 @@ public final class Editor {
 
   private static final double INFINITE = Double.POSITIVE_INFINITY;
 
+  /** The largest angle of a turn. */
+  private static final double QUARTER = Math.PI / 2;
+
   private final boolean collide;
   private final Engine engine;
   private final CircleTable circles;
@@ -45,6 +48,9 @@ public final class Editor {
 
   /** The numbers of the obstacle that is added or moved, as its shape has them. */
   private final double[] numbers = new double[ObstacleTable.MOST_NUMBERS];
+
+  /** Its motion, see {@link ObstacleMotions}. */
+  private final double[] motion = new double[ObstacleMotions.SIZE];
 
   public Editor(SceneData scene, Engine engine, CircleRegistry registry) {
     collide = scene.collide;
@@ -191,7 +197,7 @@ public final class Editor {
 
   private void restart(MovingCircle m, double now) {
     engine.leaveContact(m, now);
-    m.restart(now, engine.tailOfEdit(m, now), circles.wallsOf(m.id));
+    m.restart(now, engine.tailOfEdit(m, now), obstacles);
     engine.release(m);
   }
 
@@ -204,7 +210,7 @@ public final class Editor {
       MovingCircle m = new MovingCircle();
       circles.load(slot, m);
       engine.leaveContact(m, now);
-      m.restart(now, engine.tailOfEdit(m, now), circles.wallsOf(slot));
+      m.restart(now, engine.tailOfEdit(m, now), obstacles);
       all.add(m);
     }
     engine.setGravity(gx + 0.0, gy + 0.0); // 0 for -0
@@ -340,41 +346,130 @@ public final class Editor {
   public void moveTo(int code, double x, double y, double arrival, double now) {
     try {
       checkPlace(x, y);
-      if (!(arrival > now && arrival <= Double.MAX_VALUE)) {
-        throw Check.refused("arrival", arrival, "a finite time after now, " + now);
-      }
+      checkArrival(arrival, now);
     } catch (IllegalArgumentException e) {
       throw named(e, code);
     }
     if (obstacles.goesTo(code, x, y, arrival)) {
       return;
     }
-    obstacles.numbersAt(code, now, numbers);
+    obstacles.numbersAt(code, now, 0, numbers);
     double wayX = x - numbers[ObstacleShape.X];
     double wayY = y - numbers[ObstacleShape.Y];
     double ux = wayX / (arrival - now);
     double uy = wayY / (arrival - now);
-    if (!(Math.abs(ux) <= Double.MAX_VALUE && Math.abs(uy) <= Double.MAX_VALUE)) {
-      throw named(
-          Check.refused("arrival", arrival, "late enough after " + now + " for this way"), code);
-    }
+    checkSpeed(Math.max(Math.abs(ux), Math.abs(uy)), code, arrival, now);
     double fromX = numbers[ObstacleShape.X];
     double fromY = numbers[ObstacleShape.Y];
     ObstacleRows rows = obstacles.of(code);
     int end = obstacles.endOf(code);
     for (int each = code; each < end; each++) {
-      obstacles.numbersAt(each, now, numbers);
+      obstacles.numbersAt(each, now, 0, numbers);
       bring(rows, fromX, fromY, x, y);
       check(rows, code);
     }
     boolean rests = ux == 0 && uy == 0;
     for (int each = code; each < end; each++) {
-      obstacles.numbersAt(each, now, numbers);
+      obstacles.numbersAt(each, now, 0, numbers);
       bring(rows, fromX, fromY, x, y);
-      double[] motion = ObstacleMotions.motion(each, ux, uy, now, rests ? INFINITE : arrival);
+      double until = rests ? INFINITE : arrival;
+      ObstacleMotions.setStraight(motion, 0, each, ux, uy, now, until);
       engine.moveTo(each, numbers, motion, now);
       keepPlace(rows);
     }
+  }
+
+  private static void checkArrival(double arrival, double now) {
+    if (!(arrival > now && arrival <= Double.MAX_VALUE)) {
+      throw Check.refused("arrival", arrival, "a finite time after now, " + now);
+    }
+  }
+
+  private void checkSpeed(double speed, int code, double arrival, double now) {
+    if (!(speed <= Double.MAX_VALUE)) {
+      throw named(
+          Check.refused("arrival", arrival, "late enough after " + now + " for this way"), code);
+    }
+  }
+
+  /** Turns a line or a peg about a pivot by an angle, to end at a time, and then rest. */
+  public void turn(
+      int code, double pivotX, double pivotY, double angle, double arrival, double now) {
+    try {
+      limits.checkCoordinate("pivotX", pivotX);
+      limits.checkCoordinate("pivotY", pivotY);
+      if (!(Math.abs(angle) <= QUARTER)) {
+        throw Check.refused("angle", angle, "at most a quarter turn, +-" + QUARTER);
+      }
+      checkArrival(arrival, now);
+    } catch (IllegalArgumentException e) {
+      throw named(e, code);
+    }
+    ObstacleRows rows = obstacles.of(code);
+    int end = obstacles.endOf(code);
+    double x = StrictMath.cos(0.5 * angle);
+    double y = StrictMath.sin(0.5 * angle);
+    double way = 0;
+    double farthest = 0;
+    for (int each = code; each < end; each++) {
+      obstacles.numbersAt(each, now, 0, numbers);
+      way += turnNumbers(rows, pivotX, pivotY, x, y, true);
+      check(rows, code);
+      farthest = Math.max(farthest, extent(rows));
+    }
+    checkSpeed(2 * way / (arrival - now), code, arrival, now);
+    if (way == 0) {
+      ObstacleMotions.setStraight(motion, 0, code, 0, 0, now, INFINITE);
+    } else {
+      ObstacleMotions.setTurn(motion, pivotX, pivotY, angle, now, arrival);
+    }
+    for (int each = code; each < end; each++) {
+      obstacles.numbersAt(each, now, 0, numbers);
+      turnNumbers(rows, pivotX, pivotY, x, y, false);
+      engine.moveTo(each, numbers, motion, now);
+    }
+    limits.keepPlace(farthest, 0);
+  }
+
+  /**
+   * Turns the places of the numbers about a pivot, and returns how far they move, as a sum.
+   *
+   * @param x the cosine of half the angle
+   * @param y its sine
+   * @param toFarthest whether to go no further than to the largest coordinates on the way
+   */
+  private double turnNumbers(
+      ObstacleRows rows, double pivotX, double pivotY, double x, double y, boolean toFarthest) {
+    double way = 0;
+    for (int k = 0; k < rows.shape.coordinates; k += 2) {
+      double fromX = numbers[k];
+      double fromY = numbers[k + 1];
+      ObstacleMotions.turn(pivotX, pivotY, x, y, numbers, k);
+      double toX = numbers[k];
+      double toY = numbers[k + 1];
+      way += Math.abs(toX - fromX) + Math.abs(toY - fromY);
+      if (toFarthest) {
+        double reach = StrictMath.hypot(fromX - pivotX, fromY - pivotY);
+        numbers[k] = farthest(fromX, toX, pivotX, fromY - pivotY, toY - pivotY, reach);
+        numbers[k + 1] = farthest(fromY, toY, pivotY, fromX - pivotX, toX - pivotX, reach);
+      }
+    }
+    return way;
+  }
+
+  /**
+   * The largest coordinate, or the least if that is larger by its absolute value, on an arc of at
+   * most a quarter turn that ends at a place. It lies between its ends, unless the arc crosses the
+   * axis through the pivot.
+   *
+   * @param across the other coordinate at the start of the arc, as seen from the pivot
+   * @param toAcross the same at the end
+   */
+  private static double farthest(
+      double from, double to, double pivot, double across, double toAcross, double reach) {
+    boolean crosses = across > 0 != toAcross > 0;
+    double most = crosses ? pivot + Math.copySign(reach, from - pivot + (to - pivot)) : to;
+    return Math.abs(most) > Math.abs(to) ? most : to;
   }
 
   /**
@@ -417,9 +512,15 @@ public final class Editor {
   }
 
   private void keepPlace(ObstacleRows rows) {
+    limits.keepPlace(extent(rows), 0);
+  }
+
+  private double extent(ObstacleRows rows) {
+    double extent = 0;
     for (int i = 0; i < rows.shape.coordinates; i++) {
-      limits.keepPlace(numbers[i], 0);
+      extent = Math.max(extent, Math.abs(numbers[i]));
     }
+    return extent;
   }
 
   // Obstacles and circles.

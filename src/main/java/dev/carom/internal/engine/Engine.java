@@ -235,7 +235,7 @@ public abstract class Engine {
   /** Lets a circle fall, as what holds or presses it is edited. */
   final void letGo(MovingCircle m, int code) {
     leaveContact(m, reached);
-    m.restart(reached, tailOfEdit(m, reached), circles.wallsOf(m.id));
+    m.restart(reached, tailOfEdit(m, reached), staticScene.obstacles);
     m.forget(code, 0);
     release(m);
     beginFlight(m);
@@ -254,7 +254,7 @@ public abstract class Engine {
       if (registry.contains(i)) {
         circles.load(i);
         if (staticScene.meets(m, code)) {
-          m.restart(now, tailOfEdit(m, now), circles.wallsOf(i));
+          m.restart(now, tailOfEdit(m, now), staticScene.obstacles);
           beginFlight(m);
         }
       }

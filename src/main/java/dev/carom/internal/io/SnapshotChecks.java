@@ -125,7 +125,13 @@ final class SnapshotChecks {
       }
       double since = motions.since(i);
       expect(since >= 0 && since <= now, "an obstacle moves since ", since);
-      expect(motions.until(i) >= now, "an obstacle moves until ", motions.until(i));
+      double until = motions.until(i);
+      expect(until >= now, "an obstacle moves until ", until);
+      Check.finite("pivotX of an obstacle", motions.pivotX(i));
+      Check.finite("pivotY of an obstacle", motions.pivotY(i));
+      double turn = motions.turn(i);
+      boolean isTurn = until < Double.POSITIVE_INFINITY && turn <= ObstacleMotions.MOST_TURN;
+      expect(turn == 0 || isTurn, "an obstacle turns by ", turn);
     }
   }
 

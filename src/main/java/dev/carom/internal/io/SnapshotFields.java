@@ -35,7 +35,7 @@ final class SnapshotFields {
   /** "CAROM" and a zero byte, which no text contains. */
   private static final long MARK = 0x4341524F4D00L;
 
-  private static final int VERSION = 13;
+  private static final int VERSION = 14;
 
   private final FieldStream f;
 

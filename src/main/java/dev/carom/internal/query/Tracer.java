@@ -100,7 +100,7 @@ public final class Tracer {
         obstacles.restInQuestion(motions.code(i));
         body.forget(motions.code(i), 0);
         if (search.meets(body, motions.code(i))) {
-          body.restart(time, 0, obstacles.wallsFor(body.filter));
+          body.restart(time, 0, obstacles);
         }
       }
     }
@@ -125,17 +125,13 @@ public final class Tracer {
     if (Codes.isWall(code)) {
       return hit.ofWall(flight, code, obstacles.walls[code], t);
     }
-    ObstacleRows rows = obstacles.of(code);
-    double[] values = rows.values;
-    int k = rows.offset(code);
     if (obstacles.moves(code)) {
-      obstacles.place(obstacles.motions().indexOf(code), m.t, m.tl, placed);
-      values = placed;
-      k = 0;
+      obstacles.see(obstacles.motions().indexOf(code), m.t, m.tl, placed, flight);
+    } else {
+      ObstacleRows rows = obstacles.of(code);
+      flight.obstacle(rows.shape, rows.values, rows.offset(code), 0, 0);
     }
-    double ux = obstacles.ux(code);
-    double uy = obstacles.uy(code);
-    return hit.of(flight.obstacle(rows.shape, values, k, ux, uy), m.contact, t);
+    return hit.of(flight, m.contact, t);
   }
 
   /**
@@ -252,7 +248,7 @@ public final class Tracer {
         if (body.isMember()) {
           contact.leave(body, time);
         }
-        body.restart(time, 0, obstacles.wallsFor(body.filter));
+        body.restart(time, 0, obstacles);
         body.forget(code, 0);
         body.fall(gravity.x, gravity.y);
         return true;

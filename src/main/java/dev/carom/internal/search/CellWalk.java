@@ -16,7 +16,7 @@ import dev.carom.internal.sweep.UnitVectors;
  * lines that are certainly missed, and shows the others to the search that extends it. It extends
  * {@link FirstImpact}, so that all share the numbers of the flight.
  */
-abstract class CellWalk extends FirstImpact {
+abstract class CellWalk extends FallTimes {
 
   /** Ticks in which a cell is crossed at the Manhattan speed. */
   static final double TICKS = 0x1p30;

@@ -19,7 +19,7 @@ import dev.carom.internal.sweep.UnitVectors;
  * against that band, then against the narrower band of the part of the path in the cell. {@link
  * FallTimes} tells the time of impact.
  */
-final class FallSearch extends FallTimes {
+final class FallSearch extends CellWalk {
 
   /** Far more than the rounding of a radius, in units of it. */
   private static final double ROUNDING = 0x1p-40;
@@ -54,6 +54,7 @@ final class FallSearch extends FallTimes {
   @Override
   void start(MovingCircle m) {
     super.start(m);
+    fall.flight(px, py, r, vx, vy, m.gx, m.gy);
     unhittable = m.support;
     path.start(m);
     returns = earliestReturn();
@@ -187,7 +188,7 @@ final class FallSearch extends FallTimes {
 
   private void considerWall(int code) {
     if (!ignores(code) && !passesAsMember(code)) {
-      offer(wallTime(code, asked()), code);
+      offer(wallTime(code, asked(to)), code);
     }
   }
 
@@ -241,16 +242,8 @@ final class FallSearch extends FallTimes {
   private void ask(int code) {
     if (!isGone() && !ignores(code) && !passesAsMember(code)) {
       double middle = enter + 0.5 * (to - enter); // NaN outside of the walk: no time is expected
-      offer(time(code, middle, asked()), code);
+      offer(time(code, middle, asked(to)), code);
     }
-  }
-
-  /**
-   * A bit beyond: what is exactly later than a time, but rounds to it, ties with the best one. So
-   * far beyond that such a tie is no matter of rounding at the end of the window.
-   */
-  private double asked() {
-    return to * Fall.MORE + Double.MIN_VALUE;
   }
 
   /**
@@ -261,7 +254,9 @@ final class FallSearch extends FallTimes {
     return body.isMember()
         && !obstacles.isSensor(code)
         && (body.mode != MovingCircle.FROZEN
-            || (obstacles.ux(code) == body.vx && obstacles.uy(code) == body.vy));
+            || (!obstacles.turns(code)
+                && obstacles.ux(code) == body.vx
+                && obstacles.uy(code) == body.vy));
   }
 
   /** Takes an impact in the part searched; the rest of that is shorter, with a narrower band. */

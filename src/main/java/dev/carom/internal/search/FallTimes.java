@@ -3,7 +3,6 @@ package dev.carom.internal.search;
 
 import dev.carom.internal.exact.Gaps;
 import dev.carom.internal.exact.RealRoot;
-import dev.carom.internal.state.CodeSet;
 import dev.carom.internal.state.Codes;
 import dev.carom.internal.state.MovingCircle;
 import dev.carom.internal.state.ObstacleTable;
@@ -14,26 +13,20 @@ import dev.carom.internal.sweep.FallSweep;
 import dev.carom.internal.sweep.ParabolaWallSweep;
 
 /**
- * When a circle with a constant acceleration next hits an obstacle: asks the detector, by the kind
- * of obstacle: the one just hit, a sensor, a one-way line, the line on which it slides, or any
- * other.
+ * When a circle with a constant acceleration next hits an obstacle, or any circle one that turns:
+ * asks the detector, by the kind of obstacle: the one just hit, a sensor, a one-way line, the line
+ * on which it slides, or any other.
  *
  * <p>Every question is asked for the whole flight up to the end of a window. So the answer does not
  * depend on how the search cuts the path.
  */
-abstract class FallTimes extends CellWalk {
+abstract class FallTimes extends FirstImpact {
 
   /** In units of the terms of a place: far more than its rounding. */
   private static final double ROUNDING = 0x1p-40;
 
-  FallTimes(ObstacleTable obstacles, CodeSet loose) {
-    super(obstacles, loose);
-  }
-
-  @Override
-  void start(MovingCircle m) {
-    super.start(m);
-    fall.flight(px, py, r, vx, vy, m.gx, m.gy);
+  FallTimes(ObstacleTable obstacles) {
+    super(obstacles);
   }
 
   /** Whether the obstacle was removed: a list may still name it. */
@@ -81,6 +74,14 @@ abstract class FallTimes extends CellWalk {
     }
     double t = code == body.last ? timeOfReturn(code, to) : FallSweep.time(fall, about, to);
     return special && obstacles.outside(code) != 0 ? timeThatCounts(code, t, to) : t;
+  }
+
+  /**
+   * A bit beyond: what is exactly later than a time, but rounds to it, ties with the best one. So
+   * far beyond that such a tie is no matter of rounding at the end of the window.
+   */
+  static double asked(double to) {
+    return to * Fall.MORE + Double.MIN_VALUE;
   }
 
   /** The time of a contact, or of the first one after it that counts. */

@@ -5,13 +5,11 @@ import dev.carom.internal.exact.RealRoot;
 import dev.carom.internal.state.FilterBits;
 import dev.carom.internal.state.IgnoreList;
 import dev.carom.internal.state.MovingCircle;
-import dev.carom.internal.state.ObstacleMotions;
 import dev.carom.internal.state.ObstacleRows;
 import dev.carom.internal.state.ObstacleTable;
 import dev.carom.internal.sweep.Contact;
 import dev.carom.internal.sweep.Fall;
 import dev.carom.internal.sweep.LineShape;
-import dev.carom.internal.sweep.ObstacleShape;
 import dev.carom.internal.sweep.Polygon;
 
 /**
@@ -123,10 +121,7 @@ abstract class FirstImpact {
 
   /** Chooses number i of the obstacles that move. */
   final void chooseMoving(int i) {
-    ObstacleMotions motions = obstacles.motions();
-    obstacles.place(i, body.t, body.tl, placed);
-    ObstacleShape shape = obstacles.of(motions.code(i)).shape;
-    fall.obstacle(shape, placed, 0, motions.ux(i), motions.uy(i));
+    obstacles.see(i, body.t, body.tl, placed, fall);
   }
 
   /** Chooses an obstacle of either kind. */
@@ -181,10 +176,9 @@ abstract class FirstImpact {
       return (part == Contact.LEFT) == (outside > 0);
     }
     boolean atStart = part == Contact.START;
-    ObstacleRows rows = obstacles.lines;
-    int k = rows.offset(obstacles.neighbor(code, atStart));
-    double itsX = rows.values[k + LineShape.BX] - rows.values[k + LineShape.AX];
-    double itsY = rows.values[k + LineShape.BY] - rows.values[k + LineShape.AY];
+    obstacles.numbersAt(obstacles.neighbor(code, atStart), body.t, body.tl, placed);
+    double itsX = placed[LineShape.BX] - placed[LineShape.AX];
+    double itsY = placed[LineShape.BY] - placed[LineShape.AY];
     // The three points from the first side to the second one, where they are for this flight.
     double fromX = atStart ? fall.ax - itsX : fall.ax;
     double fromY = atStart ? fall.ay - itsY : fall.ay;

@@ -25,6 +25,9 @@ final class MotionWindow {
   /** Far more than the rounding of a place, in proportion to the coordinates. */
   private static final double ROUNDING = 0x1p-40;
 
+  /** An arc of at most a quarter turn is less than this part of its chord beside that. */
+  private static final double SAGITTA = 0.25;
+
   /** The time at which the window begins, and that at which it ends; it is empty at first. */
   double begin;
 
@@ -47,6 +50,7 @@ final class MotionWindow {
   private final Axis x = new Axis(BoxTree.LEFT);
   private final Axis y = new Axis(BoxTree.BOTTOM);
   private final double[] row = new double[ObstacleTable.MOST_NUMBERS + 1];
+  private final double[] last = new double[ObstacleTable.MOST_NUMBERS + 1];
 
   /** The boxes, as those of a {@link BoxTree}; the last one is for a place in between. */
   private double[] boxes = new double[0];
@@ -143,9 +147,7 @@ final class MotionWindow {
       loose = new long[words(indexed)];
     }
     for (int i = 0; i < indexed; i++) {
-      put(obstacles, i, begin, i);
-      put(obstacles, i, end, indexed);
-      BoxTree.include(boxes, i * BoxTree.BOX, boxes, indexed * BoxTree.BOX);
+      put(obstacles, i);
     }
     x.index(boxes, indexed);
     y.index(boxes, indexed);
@@ -154,15 +156,21 @@ final class MotionWindow {
     isStale = false;
   }
 
-  /** Puts the box of an obstacle at a time in place of box k. */
-  private void put(ObstacleTable obstacles, int i, double time, int k) {
+  /** Puts the box around all that an obstacle sweeps in the window. */
+  private void put(ObstacleTable obstacles, int i) {
     ObstacleShape shape = obstacles.of(obstacles.motions().code(i)).shape;
-    obstacles.place(i, time, 0, row);
+    obstacles.place(i, Math.max(begin, obstacles.motions().since(i)), 0, row);
+    obstacles.place(i, end, 0, last);
     double size = 0;
+    double chords = 0;
     for (int c = 0; c < shape.restitution; c++) {
-      size += Math.abs(row[c]);
+      size += Math.abs(row[c]) + Math.abs(last[c]);
+      chords += Math.abs(last[c] - row[c]);
     }
-    BoxTree.put(boxes, k, shape, row, 0, ROUNDING * size);
+    double beside = obstacles.motions().turns(i) ? SAGITTA * chords : 0;
+    BoxTree.put(boxes, i, shape, row, 0, ROUNDING * size + beside);
+    BoxTree.put(boxes, indexed, shape, last, 0, ROUNDING * size + beside);
+    BoxTree.include(boxes, i * BoxTree.BOX, boxes, indexed * BoxTree.BOX);
   }
 
   /** How many longs hold so many bits. */

@@ -66,7 +66,7 @@ final class StraightSearch extends CellWalk {
   @Override
   void start(MovingCircle m) {
     super.start(m);
-    unhittable = m.last; // it is convex
+    unhittable = obstacles.turns(m.last) ? MovingCircle.NOTHING : m.last; // it is convex
     spared = m.last;
     isRough = false;
   }
@@ -328,7 +328,19 @@ final class StraightSearch extends CellWalk {
     if (!ignores(code)) {
       fly();
       chooseMoving(i);
-      ask(code, Math.min(end, latest));
+      if (fall.turns()) {
+        askTurning(code, Math.min(end, latest));
+      } else {
+        ask(code, Math.min(end, latest));
+      }
+    }
+  }
+
+  /** Asks for an impact with an obstacle that turns: even a straight flight can return to it. */
+  private void askTurning(int code, double end) {
+    double t = time(code, NEVER, asked(end));
+    if (t <= end) {
+      offer(t, code, contact(code, t));
     }
   }
 
@@ -342,6 +354,6 @@ final class StraightSearch extends CellWalk {
     }
     fly();
     chooseAny(code);
-    return FallSweep.exactTime(fall, contact);
+    return fall.turns() ? FallSweep.exact(fall).at(t) : FallSweep.exactTime(fall, contact);
   }
 }

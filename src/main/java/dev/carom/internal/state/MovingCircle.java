@@ -180,13 +180,14 @@ public final class MovingCircle {
    *
    * @param now the head of that time, which is not before the flight that ends
    * @param tail its tail
-   * @param walls the walls that it does not leave, as {@link ObstacleTable#walls}
+   * @param obstacles those around it; it does not leave the walls among them
    */
-  public void restart(double now, double tail, double[] walls) {
+  public void restart(double now, double tail, ObstacleTable obstacles) {
     double dt = (now - t) + (tail - tl);
+    double[] walls = obstacles.wallsFor(filter);
     x = Confinement.x(walls, x, xAfter(dt), radius);
     y = Confinement.y(walls, y, yAfter(dt), radius);
-    if (dt != 0 && isFalling() && !staysInContact()) {
+    if (dt != 0 && (obstacles.turns(last) || (isFalling() && !staysInContact()))) {
       last = NOTHING;
     }
     accelerate(dt);

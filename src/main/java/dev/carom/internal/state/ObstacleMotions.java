@@ -45,6 +45,9 @@ public final class ObstacleMotions {
   /** The number of columns. */
   public static final int SIZE = UNTIL + 1;
 
+  /** More than {@link #turn} of a quarter turn, sin(pi / 4). */
+  public static final double MOST_TURN = 0.75;
+
   private static final double NEVER = Double.POSITIVE_INFINITY;
 
   private int[] codes;
@@ -84,28 +87,30 @@ public final class ObstacleMotions {
 
   /** A motion of an obstacle with one velocity, which never ends. */
   public static double[] motion(int code, double ux, double uy, double since) {
-    return motion(code, ux, uy, since, NEVER);
-  }
-
-  /** A motion of an obstacle with one velocity between two times. */
-  public static double[] motion(int code, double ux, double uy, double since, double until) {
     double[] motion = new double[SIZE];
-    motion[LineShape.AX] = ux;
-    motion[LineShape.AY] = uy;
-    motion[LineShape.BX] = Codes.isLine(code) ? ux : 0; // a radius stays
-    motion[LineShape.BY] = Codes.isLine(code) ? uy : 0;
-    motion[SINCE] = since;
-    motion[UNTIL] = until;
+    setStraight(motion, 0, code, ux, uy, since, NEVER);
     return motion;
   }
 
+  /** Sets the motion at k to one with a velocity between two times. */
+  public static void setStraight(
+      double[] motions, int k, int code, double ux, double uy, double since, double until) {
+    Arrays.fill(motions, k, k + SINCE, 0);
+    motions[k + LineShape.AX] = ux;
+    motions[k + LineShape.AY] = uy;
+    motions[k + LineShape.BX] = Codes.isLine(code) ? ux : 0; // a radius stays
+    motions[k + LineShape.BY] = Codes.isLine(code) ? uy : 0;
+    motions[k + SINCE] = since;
+    motions[k + UNTIL] = until;
+  }
+
   /**
-   * A turn by an angle of at most a quarter turn about a pivot, between two times: q is {@code (1 -
-   * e^(-i angle / 2)) / duration}.
+   * Sets a motion to a turn by an angle of at most a quarter turn about a pivot, between two times:
+   * q is {@code (1 - e^(-i angle / 2)) / duration}.
    */
-  public static double[] turn(
-      double pivotX, double pivotY, double angle, double since, double until) {
-    double[] motion = new double[SIZE];
+  public static void setTurn(
+      double[] motion, double pivotX, double pivotY, double angle, double since, double until) {
+    Arrays.fill(motion, 0, PIVOT_X, 0);
     double sine = StrictMath.sin(0.25 * angle);
     motion[PIVOT_X] = pivotX;
     motion[PIVOT_Y] = pivotY;
@@ -113,7 +118,6 @@ public final class ObstacleMotions {
     motion[TURN_Y] = StrictMath.sin(0.5 * angle) / (until - since);
     motion[SINCE] = since;
     motion[UNTIL] = until;
-    return motion;
   }
 
   /** The same, for one more object to use: whichever is to be changed is copied first. */
@@ -194,9 +198,15 @@ public final class ObstacleMotions {
     return motions[i * SIZE + column];
   }
 
+  /** The larger component of the way of c in turn i, while |c| is 1 at both ends; else 0. */
+  public double turn(int i) {
+    double speed = Math.max(Math.abs(column(i, TURN_X)), Math.abs(column(i, TURN_Y)));
+    return speed == 0 ? 0 : speed * (until(i) - since(i));
+  }
+
   /** Whether motion i is a turn. */
   public boolean turns(int i) {
-    return column(i, TURN_X) != 0 || column(i, TURN_Y) != 0;
+    return column(i, TURN_Y) != 0;
   }
 
   public double pivotX(int i) {
@@ -212,21 +222,17 @@ public final class ObstacleMotions {
     double qx = column(i, TURN_X);
     double qy = column(i, TURN_Y);
     double dt = elapsed(i, head, tail);
-    return fma(qx * qx + qy * qy, dt, qx) / square(qx, qy, dt);
+    double x = fma(qx, dt, 1);
+    double y = qy * dt;
+    return (qx * x + qy * y) / (x * x + y * y);
   }
 
   /** The imaginary part of that q: half of the angular velocity. */
   public double turnY(int i, double head, double tail) {
-    double qx = column(i, TURN_X);
-    double qy = column(i, TURN_Y);
-    return qy / square(qx, qy, elapsed(i, head, tail));
-  }
-
-  /** |1 + q t|^2. */
-  private static double square(double qx, double qy, double t) {
-    double x = fma(qx, t, 1);
-    double y = qy * t;
-    return x * x + y * y;
+    double dt = elapsed(i, head, tail);
+    double x = fma(column(i, TURN_X), dt, 1);
+    double y = column(i, TURN_Y) * dt;
+    return column(i, TURN_Y) / (x * x + y * y);
   }
 
   /** A copy of motion i. */
@@ -288,16 +294,28 @@ public final class ObstacleMotions {
 
   /** These motions, of which that of an obstacle has this velocity and never ends. */
   ObstacleMotions with(int code, double ux, double uy, double since) {
-    return with(code, motion(code, ux, uy, since));
+    ObstacleMotions all = withSome(code);
+    setStraight(all.motions, all.indexOf(code) * SIZE, code, ux, uy, since, NEVER);
+    all.findNextEnd();
+    return all;
   }
 
   /** These motions, of which that of an obstacle is a given one. */
   ObstacleMotions with(int code, double[] motion) {
-    int i = Math.max(indexOf(code), -1 - indexOf(code));
-    ObstacleMotions all = indexOf(code) < 0 ? spliced(i, i + 1) : own();
-    all.codes[i] = code;
-    System.arraycopy(motion, 0, all.motions, i * SIZE, SIZE);
+    ObstacleMotions all = withSome(code);
+    System.arraycopy(motion, 0, all.motions, all.indexOf(code) * SIZE, SIZE);
     all.findNextEnd();
+    return all;
+  }
+
+  /** These motions, of which that of an obstacle is to be set. */
+  private ObstacleMotions withSome(int code) {
+    int i = indexOf(code);
+    if (i >= 0) {
+      return own();
+    }
+    ObstacleMotions all = spliced(-1 - i, -i);
+    all.codes[-1 - i] = code;
     return all;
   }
 

@@ -2,6 +2,7 @@
 package dev.carom.internal.state;
 
 import dev.carom.internal.sweep.Contact;
+import dev.carom.internal.sweep.Fall;
 import dev.carom.internal.sweep.LineShape;
 import dev.carom.internal.sweep.ObstacleShape;
 import dev.carom.internal.sweep.PegShape;
@@ -389,6 +390,35 @@ public final class ObstacleTable {
     return motions.turnY(motions.indexOf(code), epoch + head, tail);
   }
 
+  /** The velocity that an obstacle has at a point (x, y) at a time, given as head and tail. */
+  public double velocityX(int code, double y, double head, double tail) {
+    return turns(code) ? -rate(code, head, tail) * (y - pivotY(code)) : ux(code);
+  }
+
+  public double velocityY(int code, double x, double head, double tail) {
+    return turns(code) ? rate(code, head, tail) * (x - pivotX(code)) : uy(code);
+  }
+
+  /**
+   * Sets moving obstacle i as what a flight meets: where it is as that starts, and how it goes on.
+   *
+   * @param i its number among those that move
+   * @param head the time at which the flight starts, given as head and tail
+   * @param row room for its numbers
+   * @param flight the flight; it is returned
+   */
+  public Fall see(int i, double head, double tail, double[] row, Fall flight) {
+    place(i, head, tail, row);
+    flight.obstacle(of(motions.code(i)).shape, row, 0, motions.ux(i), motions.uy(i));
+    return motions.turns(i)
+        ? flight.turn(
+            motions.pivotX(i),
+            motions.pivotY(i),
+            motions.turnX(i, epoch + head, tail),
+            motions.turnY(i, epoch + head, tail))
+        : flight;
+  }
+
   public double ux(int code) {
     return moves(code) ? motions.ux(motions.indexOf(code)) : 0;
   }
@@ -487,11 +517,11 @@ public final class ObstacleTable {
     return isMeant && !turns(code) && (isAtRest(code) || arrival(code) == arrival);
   }
 
-  /** Writes the numbers of an obstacle before its restitution at a time. */
-  public void numbersAt(int code, double time, double[] to) {
+  /** Writes the numbers of an obstacle before its restitution at a time, as head and tail. */
+  public void numbersAt(int code, double head, double tail, double[] to) {
     ObstacleRows rows = of(code);
     if (moves(code)) {
-      place(motions.indexOf(code), time, 0, to);
+      place(motions.indexOf(code), head, tail, to);
     } else {
       System.arraycopy(rows.values, rows.offset(code), to, 0, rows.shape.restitution);
     }

@@ -41,12 +41,12 @@ class MovingCircleTest {
   @Test
   void anEditBeginsWhereItIsByThen() {
     MovingCircle m = body(0x1p53, -0.5);
-    m.restart(0x1p53 + 2, 0, null);
+    m.restart(0x1p53 + 2, 0, ObstacleTable.empty(null));
     assertThat(m.x).isEqualTo(3.5);
     assertThat(m.y).isEqualTo(9.5);
     assertThat(m.t).isEqualTo(0x1p53 + 2);
     assertThat(m.tl).isZero();
-    m.restart(0x1p53 + 2, 0.75, null);
+    m.restart(0x1p53 + 2, 0.75, ObstacleTable.empty(null));
     assertThat(m.x).isEqualTo(4.25);
     assertThat(m.tl).isEqualTo(0.75);
   }

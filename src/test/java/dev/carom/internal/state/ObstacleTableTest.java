@@ -154,7 +154,9 @@ class ObstacleTableTest {
     ObstacleTable all = obstacles();
     int code = Codes.line(0);
     double[] there = {1, 2, 1, 5};
-    all.moveTo(code, there, ObstacleMotions.turn(1, 2, Math.PI / 2, 0, 2));
+    double[] motion = new double[ObstacleMotions.SIZE];
+    ObstacleMotions.setTurn(motion, 1, 2, Math.PI / 2, 0, 2);
+    all.moveTo(code, there, motion);
     assertThat(all.turns(code)).isTrue();
     assertThat(all.isAtRest(code)).isFalse();
     assertThat(all.ux(code)).isZero();
