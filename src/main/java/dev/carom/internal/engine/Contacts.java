@@ -37,7 +37,7 @@ final class Contacts implements ContactHost, Shock.Others {
   /** Circles that left in the present tick. */
   private final IntList freed = new IntList();
 
-  /** Null without gravity. */
+  /** Null as long as nothing falls or turns. */
   private ContactCore core;
 
   private int room;
@@ -83,7 +83,7 @@ final class Contacts implements ContactHost, Shock.Others {
   void reset() {
     room = circles.capacity();
     core =
-        gravity.acts()
+        circles.allowsGravity()
             ? new ContactCore(
                 staticScene.obstacles, registry, circles, this, room, gravity.x, gravity.y)
             : null;

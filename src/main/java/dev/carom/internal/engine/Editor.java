@@ -100,7 +100,7 @@ public final class Editor {
       m.y = y;
       m.forget();
       limits.keepPlace(x, y);
-    } else if (m.isFalling()) {
+    } else if (m.isFalling() || obstacles.turns(m.last)) {
       m.last = MovingCircle.NOTHING; // the gap to that is no longer 0
     }
     engine.beginFlight(m);

@@ -84,8 +84,15 @@ public abstract class Engine {
   /** Sets gravity, for flights that begin from now on. */
   public final void setGravity(double gx, double gy) {
     gravity.set(gx, gy);
+    if (gravity.acts()) {
+      allowContact();
+    }
     changeGravity();
-    if (gravity.acts() && !circles.allowsGravity()) {
+  }
+
+  /** Prepares for circles that fall, or are in contact with something that turns. */
+  private void allowContact() {
+    if (!circles.allowsGravity()) {
       circles.allowGravity();
       staticScene.beginFalls();
       beginGravity();
@@ -274,6 +281,10 @@ public abstract class Engine {
     boolean isInGrids = !staticScene.obstacles.moves(code);
     forget(code);
     staticScene.obstacles.moveTo(code, numbers, motion);
+    if (staticScene.obstacles.turns(code) && !circles.allowsGravity()) {
+      allowContact();
+      changeGravity();
+    }
     moved(code, isInGrids, now);
   }
 
@@ -353,8 +364,8 @@ public abstract class Engine {
   public void restore(FlightTable flights, double now, double tailOfEdit) {
     reached = now;
     circles.clear();
-    if (flights.allowsGravity()) {
-      circles.allowGravity();
+    if (flights.allowsGravity() || staticScene.obstacles.areTurning()) {
+      allowContact();
     }
     MovingCircle m = circles.body;
     for (int i = 0; i < flights.capacity(); i++) {

@@ -217,7 +217,7 @@ public final class IndependentEngine extends Engine {
   /** Members near a thing that changes begin anew. */
   @Override
   void noteContact(int code, double now) {
-    if (!gravity.acts() || Codes.isCircle(code)) {
+    if (!circles.allowsGravity() || Codes.isCircle(code)) {
       return;
     }
     contact.changed();

@@ -224,6 +224,7 @@ final class SnapshotChecks {
     expect(row[ContactRow.TAU] >= 0 && row[ContactRow.DUE] >= end, "a tick ends at ", end);
     double margin = row[ContactRow.MARGIN];
     expect(margin >= 0, "the margin of a circle is ", margin);
+    expect(row[ContactRow.PULL] >= 0, "the pull on a circle is ", row[ContactRow.PULL]);
     for (int k = ContactRow.SIZE; k < row.length; k += ContactRow.PAIR) {
       double other = row[k + ContactRow.OTHER];
       double key = row[k + ContactRow.KEY];

@@ -2,13 +2,14 @@
 package dev.carom.internal.response;
 
 /**
- * The clock of contact: ticks at multiples of a power of two, tau, that gravity and the smallest
- * awake circle decide. Clocks are nested. A tick may be cut; the next one then ends where the cut
+ * The clock of contact: ticks at multiples of a power of two, tau, that the pull and the radius of
+ * each awake circle decide. The pull is gravity, or what something that turns does if that is more. Clocks are nested. A tick may be cut; the next one then ends where the cut
  * one would have.
  */
 final class ContactClock {
 
-  private final double g;
+  /** The largest pull. */
+  double pull;
 
   /** The length of a tick, and the end of the present one. */
   double tau;
@@ -19,28 +20,40 @@ final class ContactClock {
   double due;
 
   ContactClock(double g) {
-    this.g = g;
+    pull = g;
   }
 
-  /** The power of two nearest to the time of a fall of {@link ContactLaw#FALL} radii. */
-  double ownTick(double radius) {
-    double time = Math.sqrt(2 * ContactLaw.FALL * radius / g);
+  /**
+   * The power of two nearest to the time of a fall of {@link ContactLaw#FALL} radii; infinite
+   * without a pull.
+   */
+  static double ownTick(double radius, double pull) {
+    if (pull == 0) {
+      return Double.POSITIVE_INFINITY;
+    }
+    double time = Math.sqrt(2 * ContactLaw.FALL * radius / pull);
     double power = Math.scalb(1.0, Math.getExponent(time));
     return time * time > 2 * power * power ? 2 * power : power;
   }
 
+  /** What the largest pull adds to a speed in a tick. */
+  double kick() {
+    return pull * tau;
+  }
+
   /** The least approach that is not slow. */
   double slow() {
-    return slow(tau);
+    return slow(pull);
+  }
+
+  /** The same for a pair with its own pull. */
+  double slow(double itsPull) {
+    return ContactLaw.SLOW * itsPull * tau;
   }
 
   /** The same for a circle with its own clock. */
-  double slowOf(double radius) {
-    return slow(ownTick(radius));
-  }
-
-  private double slow(double tick) {
-    return ContactLaw.SLOW * g * tick;
+  static double slowOf(double radius, double pull) {
+    return pull == 0 ? 0 : ContactLaw.SLOW * pull * ownTick(radius, pull);
   }
 
   /** The first multiple of a tick after a time; the next double, where ticks are shorter. */

@@ -43,6 +43,7 @@ public final class ContactCore {
   private final Squeeze squeeze;
   private final ContactClock clock;
   private final IntList near = new IntList();
+  private final IntList turning = new IntList();
   private final int[] bearing;
   private final int[] only;
   private final Groups crowds;
@@ -88,6 +89,7 @@ public final class ContactCore {
     this.gy = gy;
     g = Math.sqrt(gx * gx + gy * gy);
     members = new Members(room);
+    Arrays.fill(members.pull, g);
     parts = new Parts(obstacles, registry, circles);
     clock = new ContactClock(g);
     graph = new ContactGraph(members, parts, host, gx, gy);
@@ -202,18 +204,18 @@ public final class ContactCore {
   public void join(int i, int partner, MovingCircle m) {
     double now = m.t;
     look(now);
-    start(i, now);
-    present++;
-    members.mode[i] = Members.AWAKE;
     members.x[i] = m.x;
     members.y[i] = m.y;
     members.since[i] = now;
+    members.vx[i] = m.vx;
+    members.vy[i] = m.vy;
+    start(i, now);
+    present++;
+    members.mode[i] = Members.AWAKE;
     double rise = 1;
     if (m.gx != gx || m.gy != gy) {
-      members.vx[i] = m.vx;
-      members.vy[i] = m.vy;
       members.fly(i, m.vx, m.vy);
-      members.follow(i, gx, gy, g * clock.tau);
+      members.follow(i, gx, gy, clock.kick());
       rise = members.rise[i];
     }
     members.vx[i] = m.vx + rise * gx * (momentTime - now);
@@ -238,14 +240,66 @@ public final class ContactCore {
 
   /** Starts the clock, or makes it finer, for a circle. */
   private void start(int i, double now) {
-    double tick = clock.ownTick(members.radius[i]);
+    members.pull[i] = pull(i, now);
+    double tick = ContactClock.ownTick(members.radius[i], members.pull[i]);
     if (graph.awake == 0 && jammed == 0) {
+      clock.pull = members.pull[i];
       clock.start(tick, now);
       momentTime = now;
       newcomers.longest = 0;
       cuts = 0;
     } else {
+      clock.pull = Math.max(clock.pull, members.pull[i]);
       clock.refine(tick, now);
+    }
+  }
+
+  /**
+   * How strongly a circle is pulled, see {@link ContactClock}: by gravity, or by what turns near it.
+   * If nothing pulls it a tick is as long as if it flew round a curve of its radius.
+   */
+  private double pull(int i, double now) {
+    double vx = members.vx[i];
+    double vy = members.vy[i];
+    double r = members.radius[i];
+    double most = g;
+    turning.clear();
+    if (parts.areTurning()) {
+      parts.near(members, i, host, ContactLaw.MARGIN * r, now, turning);
+    }
+    double x = members.xAt(i, now);
+    double y = members.yAt(i, now);
+    for (int c = 0; c < turning.size(); c++) {
+      int p = turning.get(c);
+      if (parts.turns(p) && parts.touches(p, r, members.filter[i], x, y, 0, 0)) {
+        double bend = parts.bend(p, r, x, y, vx, vy, parts.normalX, parts.normalY);
+        most = Math.max(most, bend);
+      }
+    }
+    return most > 0 ? most : (vx * vx + vy * vy) / r;
+  }
+
+  /** The same for all that are awake, from the list of pairs. */
+  private void findPulls() {
+    if (!parts.areTurning() && clock.pull == g) {
+      return;
+    }
+    Arrays.fill(members.pull, g);
+    NearPairs p = graph.pairs;
+    clock.pull = g;
+    for (int k = 0; k < p.size; k++) {
+      int part = p.part[k];
+      if (part >= 0 && p.felt[k] && parts.turns(part)) {
+        int i = p.owner[k];
+        double r = members.radius[i];
+        double vx = members.vx[i];
+        double vy = members.vy[i];
+        double x = members.x[i];
+        double y = members.y[i];
+        double bend = parts.bend(part, r, x, y, vx, vy, p.nx[k], p.ny[k]);
+        members.pull[i] = Math.max(members.pull[i], bend);
+        clock.pull = Math.max(clock.pull, bend);
+      }
     }
   }
 
@@ -275,6 +329,7 @@ public final class ContactCore {
       graph.carry(now);
     }
     graph.measure(momenta.v, clock.tau);
+    findPulls();
     boolean isWhole = now >= clock.due; // after a cut, momenta are not yet those of what is there
     boolean changed = isWhole && leave(now);
     changed |= rest.wake(now, gx, gy, clock.tau);
@@ -291,10 +346,8 @@ public final class ContactCore {
       clock.start(clock.tau, now);
       return;
     }
-    double tick = Double.POSITIVE_INFINITY;
-    for (int k = 0; k < graph.awake; k++) {
-      tick = Math.min(tick, clock.ownTick(members.radius[graph.order[k]]));
-    }
+    findPulls();
+    double tick = shortestTick();
     if (now >= clock.due) {
       cuts = Math.max(0, cuts - 1);
     }
@@ -306,6 +359,16 @@ public final class ContactCore {
     finish();
   }
 
+  /** The shortest tick of all that are awake; the last one where nothing pulls any of them. */
+  private double shortestTick() {
+    double tick = Double.POSITIVE_INFINITY;
+    for (int k = 0; k < graph.awake; k++) {
+      int i = graph.order[k];
+      tick = Math.min(tick, ContactClock.ownTick(members.radius[i], members.pull[i]));
+    }
+    return tick < Double.POSITIVE_INFINITY ? tick : clock.tau;
+  }
+
   /** Finds momenta and flights for a tick of length h; false if there are no safe flights. */
   private boolean attempt(double now, double h) {
     clock.end = now + h;
@@ -314,7 +377,7 @@ public final class ContactCore {
     if (parts.areMoving()) {
       squeeze.widen(flights.drive);
     }
-    momenta.solve(h, clock.slow(), gx, gy);
+    momenta.solve(h, clock, gx, gy);
     return fly(now, h);
   }
 
@@ -386,7 +449,7 @@ public final class ContactCore {
           parts.distanceTo(p, members.x[i], members.y[i]) < r
               || (parts.moves(p)
                   && parts.touches(p, r, members.filter[i], members.x[i], members.y[i], 0, 0)
-                  && parts.vx[p] * parts.normalX + parts.vy[p] * parts.normalY > 0);
+                  && parts.speed(p, members.x[i], members.y[i]) > 0);
     }
     return is;
   }
@@ -471,9 +534,11 @@ public final class ContactCore {
     for (int k = 0; k < graph.awake; k++) {
       bearing[graph.order[k]] = 0;
     }
-    double touch = g * clock.tau * clock.tau;
+    double touch = clock.pull * clock.tau * clock.tau;
     for (int k = 0; k < p.size; k++) {
-      boolean bears = p.felt[k] && p.impulse[k] > 0 && p.gap[k] <= touch;
+      // What turns may press in ticks that are short beside the widest standoff.
+      double wide = parts.areTurning() ? ContactLaw.MARGIN * members.radius[p.owner[k]] : 0;
+      boolean bears = p.felt[k] && p.impulse[k] > 0 && p.gap[k] <= Math.max(touch, wide);
       if (bears && p.opening(momenta.v, k) <= clock.slow()) {
         bearing[p.owner[k]]++;
         only[p.owner[k]] = k;
@@ -495,7 +560,7 @@ public final class ContactCore {
     for (int k = 0; k < graph.awake; k++) {
       isHeld[k] = bearing[graph.order[k]] > 0;
     }
-    double push = ContactLaw.STEADY * g * clock.tau;
+    double push = ContactLaw.STEADY * clock.pull * clock.tau;
     for (int k = 0; k < p.size; k++) {
       if (p.part[k] < 0 && p.gap[k] < (p.speed(momenta.v, k) + push) * clock.tau) {
         int i = graph.rank[p.owner[k]];
@@ -515,20 +580,20 @@ public final class ContactCore {
   private boolean leaveFlat(int i, int k, double passed) {
     NearPairs p = graph.pairs;
     int part = p.part[k];
-    if (part < 0 || parts.kind[part] > Parts.WALL) {
+    if (part < 0 || parts.kind[part] > Parts.WALL || parts.turns(part)) {
       return false;
     }
     double nx = p.nx[k];
     double ny = p.ny[k];
     double opening = p.opening(momenta.v, k);
-    double kick = g * clock.tau;
+    double kick = clock.kick();
     if (opening < -kick || gx * nx + gy * ny >= 0) {
       return false;
     }
     double tx = parts.dx[part];
     double ty = parts.dy[part];
     double pull = gx * tx + gy * ty;
-    double carried = parts.vx[part] * tx + parts.vy[part] * ty;
+    double carried = parts.driftAlong(part, tx, ty);
     double along = members.vx[i] * tx + members.vy[i] * ty + pull * passed;
     if (pull == 0 && Math.abs(along - carried) <= ContactLaw.RESIDUAL * kick) {
       along = carried; // no solve tells such a speed from 0
@@ -570,7 +635,7 @@ public final class ContactCore {
       int j = p.other[k];
       if (p.part[k] < 0 && members.canWake(j)) {
         double q = p.opening(momenta.v, k);
-        if (q < -clock.slow() && p.gap[k] - p.standoff[k] + q * h < 0) {
+        if (q < -clock.slow(members.pull(p, k)) && p.gap[k] - p.standoff[k] + q * h < 0) {
           rest.wake(j, now);
           load(j, now);
           kick(j, h);
@@ -588,7 +653,7 @@ public final class ContactCore {
     if (!graph.covers(u, now, h)) {
       graph.list(u, now, h);
     }
-    graph.measure(u, h);
+    graph.measureFlights(u, h);
     boolean driven = parts.areMoving();
     if (driven) {
       squeeze.widen(flights.drive);
@@ -598,8 +663,8 @@ public final class ContactCore {
     flights.pass(h, clock.slow());
     boolean goesOn = driven;
     for (int round = 0; goesOn && round < ContactLaw.CUTS && squeeze.anyMeets(u, h); round++) {
-      goesOn = squeeze.solve(u, h, cuts);
-      graph.measure(u, h);
+      goesOn = squeeze.solve(u, h, clock.pull * h, cuts);
+      graph.measureFlights(u, h);
     }
     boolean safe = flights.secure(h, ContactLaw.PUSHES);
     for (int round = 0; safe && !graph.covers(u, now, h); round++) {
@@ -607,7 +672,7 @@ public final class ContactCore {
         return false; // speeds beyond the range of doubles leave every list
       }
       graph.list(u, now, h);
-      graph.measure(u, h);
+      graph.measureFlights(u, h);
       safe = flights.secure(h, 0);
     }
     return safe;
@@ -638,7 +703,7 @@ public final class ContactCore {
     } else if (span > 0) {
       double ax = (vx - members.vx[i]) / span;
       double ay = (vy - members.vy[i]) / span;
-      double most = ContactLaw.STEADY * g;
+      double most = ContactLaw.STEADY * members.pull[i];
       boolean steady = ax * ax + ay * ay <= most * most;
       members.ax[i] = steady ? ax : 0;
       members.ay[i] = steady ? ay : 0;
@@ -649,7 +714,7 @@ public final class ContactCore {
     if (!momenta.bears[i] && members.ux[i] == vx && members.uy[i] == vy) {
       members.rise[i] = 1;
     } else {
-      members.follow(i, gx, gy, g * clock.tau);
+      members.follow(i, gx, gy, clock.kick());
     }
   }
 
@@ -827,6 +892,7 @@ public final class ContactCore {
     newcomers.longest = f.number(ticks, newcomers.longest);
     members.rise[i] = f.number(members.rise[i]);
     cuts = (int) f.number(ticks, cuts);
+    clock.pull = f.number(ticks, clock.pull);
     if (f.reads() && awake) {
       graph.isValid = isGood;
     }
@@ -855,6 +921,7 @@ public final class ContactCore {
     members.y[i] = m.y;
     members.since[i] = m.t;
     members.fly(i, m.vx, m.vy);
+    members.pull[i] = g;
     columns(i, Index.NONE, new ContactRow(row, true));
     if (members.isAwake(i)) {
       ranked.add(i);
@@ -914,11 +981,12 @@ public final class ContactCore {
 
   /** Starts the clock for members of the past, of which no tick is known. */
   private void restart(double now) {
-    double tick = Double.POSITIVE_INFINITY;
+    clock.tau = Math.ulp(now);
     for (int k = 0; k < graph.awake; k++) {
       int i = graph.order[k];
-      tick = Math.min(tick, clock.ownTick(members.radius[i]));
+      members.pull[i] = pull(i, now);
+      clock.pull = Math.max(clock.pull, members.pull[i]);
     }
-    clock.start(tick, now);
+    clock.start(shortestTick(), now);
   }
 }

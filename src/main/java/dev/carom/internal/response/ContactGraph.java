@@ -20,6 +20,10 @@ final class ContactGraph {
   private final Parts parts;
   private final ContactSurroundings host;
   private final Approach approach = new Approach();
+  private final Arc arc = new Arc();
+
+  /** Whether pairs are measured for flights, which have to be safe, and not for momenta. */
+  private boolean forFlights;
   private final double gx;
   private final double gy;
 
@@ -430,8 +434,22 @@ final class ContactGraph {
     }
   }
 
-  /** Finds normals, gaps and spans of now, for flights of velocities q in a time. */
+  /**
+   * Finds normals, gaps and spans of now, for momenta of velocities q in a time. Of what turns they
+   * are those of the middle of that.
+   */
   void measure(double[] q, double time) {
+    forFlights = false;
+    measureAll(q, time);
+  }
+
+  /** The same for flights: of what turns they are those of the strictest bound, see {@link Arc}. */
+  void measureFlights(double[] q, double time) {
+    forFlights = true;
+    measureAll(q, time);
+  }
+
+  private void measureAll(double[] q, double time) {
     NearPairs p = pairs;
     for (int k = 0; k < p.size; k++) {
       if (p.part[k] >= 0) {
@@ -478,26 +496,59 @@ final class ContactGraph {
     NearPairs p = pairs;
     int a = p.owner[k];
     int part = p.part[k];
-    double x = members.x[a];
-    double y = members.y[a];
-    double r = members.radius[a];
-    double mx = (q[2 * a] - parts.vx[part]) * time;
-    double my = (q[2 * a + 1] - parts.vy[part]) * time;
-    p.felt[k] = parts.touches(part, r, members.filter[a], x, y, mx, my);
-    if (!p.felt[k]) {
-      return;
-    }
-    p.nx[k] = parts.normalX;
-    p.ny[k] = parts.normalY;
-    p.gap[k] = parts.distance - r;
-    turn(k, mx, my);
-    p.drift[k] = parts.vx[part] * p.nx[k] + parts.vy[part] * p.ny[k];
-    if (parts.isOneSided(part)) {
-      boolean isSolid = parts.isSolidFrom(part, x, y);
+    boolean turns = parts.turns(part);
+    p.felt[k] = turns ? feelTurn(k, q, time) : feelStraight(k, q, time);
+    if (p.felt[k] && parts.isOneSided(part)) {
+      boolean isSolid = parts.isSolidFrom(part, members.x[a], members.y[a]);
       p.through[k] = !isSolid || (p.through[k] && p.gap[k] < -p.standoff[k]);
-    } else if (p.gap[k] >= 0) {
+    } else if (p.felt[k] && p.gap[k] >= 0) {
       p.through[k] = false;
     }
-    p.felt[k] = !p.through[k];
+    p.felt[k] &= !p.through[k];
+  }
+
+  private boolean feelStraight(int k, double[] q, double time) {
+    NearPairs p = pairs;
+    int a = p.owner[k];
+    int part = p.part[k];
+    double mx = parts.wayX(part, q[2 * a], time);
+    double my = parts.wayY(part, q[2 * a + 1], time);
+    double r = members.radius[a];
+    if (!parts.touches(part, r, members.filter[a], members.x[a], members.y[a], mx, my)) {
+      return false;
+    }
+    take(k, r, mx, my);
+    p.drift[k] = parts.driftAlong(part, p.nx[k], p.ny[k]);
+    return true;
+  }
+
+  private void take(int k, double r, double mx, double my) {
+    pairs.nx[k] = parts.normalX;
+    pairs.ny[k] = parts.normalY;
+    pairs.gap[k] = parts.distance - r;
+    turn(k, mx, my);
+  }
+
+  /** The same for a part that turns: the path has three control points. */
+  private boolean feelTurn(int k, double[] q, double time) {
+    NearPairs p = pairs;
+    int a = p.owner[k];
+    double ux = q[2 * a];
+    double uy = q[2 * a + 1];
+    double r = members.radius[a];
+    arc.set(parts, p.part[k], members.x[a], members.y[a], time);
+    if (!parts.touches(p.part[k], r, members.filter[a], members.x[a], members.y[a], arc, ux, uy)) {
+      return false;
+    }
+    take(k, r, arc.wayX(Arc.POINTS - 1, ux, uy), arc.wayY(Arc.POINTS - 1, ux, uy));
+    if (forFlights) {
+      arc.boundStrictly(p.nx[k], p.ny[k], p.gap[k], ux, uy);
+    } else {
+      arc.middle(p.nx[k], p.ny[k], ux, uy);
+    }
+    p.nx[k] = arc.nx;
+    p.ny[k] = arc.ny;
+    p.drift[k] = arc.drift;
+    return true;
   }
 }

@@ -194,4 +194,14 @@ final class ContactLaw {
   static final double MARGIN = 2 * WIDE;
 
   private ContactLaw() {}
+
+  /**
+   * How fast the gap to something that turns may bend, at most: its second derivative is {@code
+   * -w^2 h + 2 w u - w' s} for the rate w, a centre at the height h over the pivot along the normal
+   * and s across it, and its speed u across. Where all is 0 the radius r is the length that there
+   * is.
+   */
+  static double bend(double rate, double faster, double r, double h, double s, double u) {
+    return rate * rate * (r + Math.abs(h)) + 2 * Math.abs(rate * u) + Math.abs(faster * s);
+  }
 }

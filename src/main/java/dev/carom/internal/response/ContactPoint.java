@@ -7,6 +7,7 @@ import dev.carom.internal.exact.Predicates;
 import dev.carom.internal.exact.UnitVector;
 import dev.carom.internal.state.Codes;
 import dev.carom.internal.state.MovingCircle;
+import dev.carom.internal.state.ObstacleMotions;
 import dev.carom.internal.state.ObstacleRows;
 import dev.carom.internal.state.ObstacleTable;
 import dev.carom.internal.sweep.Contact;
@@ -49,15 +50,31 @@ final class ContactPoint {
   /** The detector's normal, where that is asked for. */
   private final UnitVector unit = new UnitVector();
 
-  /** The velocity of the obstacle. */
+  /** The velocity of the obstacle, of one that turns that of its point at the contact. */
   double ux;
 
   double uy;
 
+  /** Its rate, and where its pivot is; 0 if it does not turn. */
+  double rate;
+
+  private double pivotX;
+  private double pivotY;
+
   private double obstacleSpeed;
 
-  /** Where a moving obstacle was when the flight started. */
+  /** Where a moving obstacle was when the flight started, and where it is at the contact. */
   private final double[] row = new double[ObstacleTable.MOST_NUMBERS + 1];
+
+  private final double[] there = new double[ObstacleTable.MOST_NUMBERS + 1];
+
+  /** c of an obstacle that turns, see {@link ObstacleMotions}, at the contact. */
+  private double c1;
+
+  private double c2;
+
+  /** The rate at which the rate changes. */
+  private double faster;
 
   /** Where and when the flight started that ends here. */
   private double startX;
@@ -98,6 +115,7 @@ final class ContactPoint {
   void locate(MovingCircle m, int code) {
     ux = 0;
     uy = 0;
+    rate = 0;
     obstacleSpeed = 0;
     if (Codes.isWall(code)) {
       locateOnWall(m, code);
@@ -105,10 +123,9 @@ final class ContactPoint {
     }
     ObstacleRows rows = obstacles.of(code);
     if (obstacles.moves(code)) {
-      ux = obstacles.ux(code);
-      uy = obstacles.uy(code);
-      obstacleSpeed = Math.max(Math.abs(ux), Math.abs(uy));
+      follow(m, code);
       locateOnMoving(m, code);
+      takeVelocity();
       return;
     }
     if (Codes.isLine(code)) {
@@ -202,30 +219,93 @@ final class ContactPoint {
     normal(m, px, py, qx, qy);
   }
 
-  /** On a moving obstacle: the detector saw it where it was when the flight started. */
-  private void locateOnMoving(MovingCircle m, int code) {
+  /**
+   * Follows a moving obstacle to the contact: the detector saw it where it was when the flight
+   * started.
+   */
+  private void follow(MovingCircle m, int code) {
+    double t = m.cleared;
     obstacles.place(obstacles.motions().indexOf(code), startT, startTl, row);
+    System.arraycopy(row, 0, there, 0, row.length);
+    int ends = Codes.isLine(code) ? LineShape.END : 0;
+    if (!obstacles.turns(code)) {
+      ux = obstacles.ux(code);
+      uy = obstacles.uy(code);
+      obstacleSpeed = Math.max(Math.abs(ux), Math.abs(uy));
+      for (int k = 0; k <= ends; k += LineShape.END) {
+        there[k] = fma(ux, t, row[k]);
+        there[k + 1] = fma(uy, t, row[k + 1]);
+      }
+      return;
+    }
+    pivotX = obstacles.pivotX(code);
+    pivotY = obstacles.pivotY(code);
+    double q2 = obstacles.turnY(code, startT, startTl);
+    double q1 = obstacles.turnX(code, startT, startTl);
+    c1 = fma(q1, t, 1);
+    c2 = q2 * t;
+    rate = 2 * q2 / (c1 * c1 + c2 * c2);
+    faster = -2 * rate * (c1 * q1 + c2 * q2) / (c1 * c1 + c2 * c2);
+    double reach = Codes.isLine(code) ? 0 : row[PegShape.RADIUS];
+    for (int k = 0; k <= ends; k += LineShape.END) {
+      ObstacleMotions.turn(pivotX, pivotY, c1, c2, there, k);
+      reach += Math.abs(there[k] - pivotX) + Math.abs(there[k + 1] - pivotY);
+    }
+    obstacleSpeed = Math.abs(rate) * reach;
+  }
+
+  /** Of an obstacle that turns: the velocity of the point at the contact. */
+  private void takeVelocity() {
+    if (rate != 0) {
+      ux = -rate * (y - pivotY);
+      uy = rate * (x - pivotX);
+    }
+  }
+
+  /**
+   * The second derivative of the gap to what turns, by the turn: {@code -w^2 n.d + 2 w (i n).v - w'
+   * n.(i d)} for the unit normal n, the rate w, d from the pivot to the centre and its velocity v.
+   * An impact does not change it.
+   */
+  double bend(MovingCircle m, double length) {
+    double dx = m.x - pivotX;
+    double dy = m.y - pivotY;
+    double sum = -rate * rate * (nx * dx + ny * dy) + 2 * rate * (nx * m.vy - ny * m.vx);
+    return (sum - faster * (ny * dx - nx * dy)) / length;
+  }
+
+  /** How large that may be, see {@link ContactLaw#bend}. */
+  double mostBend(MovingCircle m, double length) {
+    double x = nx / length;
+    double y = ny / length;
+    double dx = m.x - pivotX;
+    double dy = m.y - pivotY;
+    double across = x * m.vy - y * m.vx;
+    return ContactLaw.bend(rate, faster, m.radius, x * dx + y * dy, x * dy - y * dx, across);
+  }
+
+  private void locateOnMoving(MovingCircle m, int code) {
     int contact = Contact.withoutTime(m.contact);
     if (contact == Contact.LEFT || contact == Contact.RIGHT) {
       locateOnMovingSide(m, contact == Contact.LEFT);
     } else if (Codes.isLine(code)) {
       int end = contact == Contact.END ? LineShape.END : 0;
-      int other = LineShape.END - end;
-      locateOnMovingEnd(m, row[end], row[end + 1], row[other], row[other + 1]);
+      locateOnMovingEnd(m, end, LineShape.END - end);
     } else {
-      locateOnMovingDisk(m, row[PegShape.X], row[PegShape.Y], row[PegShape.RADIUS]);
+      locateOnMovingDisk(m, 0, row[PegShape.RADIUS]);
     }
   }
 
   private void locateOnMovingSide(MovingCircle m, boolean left) {
-    double ax = row[LineShape.AX];
-    double ay = row[LineShape.AY];
-    double bx = row[LineShape.BX];
-    double by = row[LineShape.BY];
-    double fromX = fma(ux, m.cleared, ax);
-    double fromY = fma(uy, m.cleared, ay);
-    double toX = fma(ux, m.cleared, bx);
-    double toY = fma(uy, m.cleared, by);
+    double fromX = there[LineShape.AX];
+    double fromY = there[LineShape.AY];
+    double toX = there[LineShape.BX];
+    double toY = there[LineShape.BY];
+    double[] ends = rate == 0 ? row : there; // the direction of what does not turn is exact
+    double ax = ends[LineShape.AX];
+    double ay = ends[LineShape.AY];
+    double bx = ends[LineShape.BX];
+    double by = ends[LineShape.BY];
     if (left) {
       locateOnSide(m, fromX, fromY, toX, toY, ay, bx, by, ax);
     } else {
@@ -233,9 +313,14 @@ final class ContactPoint {
     }
   }
 
-  /** See {@link #locateOnEnd}. */
-  private void locateOnMovingEnd(MovingCircle m, double cx, double cy, double ox, double oy) {
-    locateOnMovingDisk(m, cx, cy, 0);
+  /** See {@link #locateOnEnd}; the ends of the line are at k and o in its row. */
+  private void locateOnMovingEnd(MovingCircle m, int k, int o) {
+    locateOnMovingDisk(m, k, 0);
+    double[] ends = rate == 0 ? row : there;
+    double cx = ends[k];
+    double cy = ends[k + 1];
+    double ox = ends[o];
+    double oy = ends[o + 1];
     if (m.radius == 0 && Predicates.dot(m.vx, m.vy, ux, uy, ox, oy, cx, cy) < 0) {
       boolean left = Predicates.cross(m.vx, m.vy, ux, uy, ox, oy, cx, cy) > 0;
       if (left) {
@@ -246,13 +331,19 @@ final class ContactPoint {
     }
   }
 
-  /** The normal is the detector's, not of unit length unless it takes exact numbers. */
-  private void locateOnMovingDisk(MovingCircle m, double cx, double cy, double radius) {
+  /**
+   * On a disk whose centre is at k in the row. The normal is the detector's, not of unit length
+   * unless it takes exact numbers.
+   */
+  private void locateOnMovingDisk(MovingCircle m, int k, double radius) {
     double t = m.cleared;
+    double cx = row[k];
+    double cy = row[k + 1];
     double share = Coordinates.share(radius, m.radius);
-    x = Coordinates.between(share, fma(ux, t, cx), Coordinates.within(m.x));
-    y = Coordinates.between(share, fma(uy, t, cy), Coordinates.within(m.y));
-    if (gx != 0 || gy != 0) {
+    x = Coordinates.between(share, there[k], Coordinates.within(m.x));
+    y = Coordinates.between(share, there[k + 1], Coordinates.within(m.y));
+    if (gx != 0 || gy != 0 || rate != 0) {
+      takeVelocity();
       locateFallen(m, cx, cy, radius);
       return;
     }
@@ -302,8 +393,9 @@ final class ContactPoint {
   private void locateFallen(MovingCircle m, double cx, double cy, double radius) {
     double t = m.cleared;
     double size = size(cx, cy) + size(startX, startY);
+    boolean turns = rate != 0;
     UnitVector exact =
-        radius + m.radius < SMALL * size
+        radius + m.radius < SMALL * size && !turns
             ? FallSweep.normal(
                 Fall.ofThread()
                     .flight(startX, startY, m.radius, startVx, startVy, gx, gy)
@@ -314,8 +406,12 @@ final class ContactPoint {
       normal(m, exact.x(), exact.y(), 0, 0);
       return;
     }
-    double offsetX = Offset.at(startX, cx, startVx, ux, gx, t);
-    double offsetY = Offset.at(startY, cy, startVy, uy, gy, t);
+    double offsetX = Offset.at(startX, cx, startVx, turns ? 0 : ux, gx, t);
+    double offsetY = Offset.at(startY, cy, startVy, turns ? 0 : uy, gy, t);
+    if (turns) { // the centre goes 2 Im(c) / |c|^2 i c w from the pivot, as in ObstacleMotions.turn
+      offsetX += rate * t * (c2 * (cx - pivotX) + c1 * (cy - pivotY));
+      offsetY -= rate * t * (c1 * (cx - pivotX) - c2 * (cy - pivotY));
+    }
     if (offsetX == 0 && offsetY == 0) { // underflow of t times the mean velocity
       offsetX = Offset.mean(startVx, ux, gx, t);
       offsetY = Offset.mean(startVy, uy, gy, t);

@@ -41,12 +41,22 @@ final class ImpactRule {
 
   /** The least approach of a circle that is not slow. */
   double slow(double itsRadius) {
-    if (itsRadius != radius || gravity.size() != size) {
+    return slow(itsRadius, gravity.size());
+  }
+
+  /** The same for a pull that may be more than gravity, see {@link ContactClock}. */
+  double slow(double itsRadius, double pull) {
+    if (itsRadius != radius || pull != size) {
       radius = itsRadius;
-      size = gravity.size();
-      slow = new ContactClock(size).slowOf(radius);
+      size = pull;
+      slow = ContactClock.slowOf(radius, size);
     }
     return slow;
+  }
+
+  /** The pull on a circle at something that turns, or gravity if that is more. */
+  double pull(double bend) {
+    return Math.max(gravity.size(), bend);
   }
 
   /** The same with places of the least width. */
@@ -115,9 +125,9 @@ final class ImpactRule {
     return stops;
   }
 
-  /** Whether gravity presses a circle onto a thing, by more than the normal is rounded. */
-  private boolean isPressed(MovingCircle m, double pull) {
-    double part = pull / gravity.size();
+  /** Whether a pull of some size presses a circle onto a thing, by more than n is rounded. */
+  private static boolean isPressed(MovingCircle m, double pull, double size) {
+    double part = pull / size;
     return pull < 0 && part * part > turn(m);
   }
 
@@ -131,7 +141,12 @@ final class ImpactRule {
 
   /** The rule for a circle that meets an obstacle; flat: a side, on no other one. */
   int of(MovingCircle m, boolean flat, double e, double approach, double pull) {
-    boolean pressed = isPressed(m, pull);
+    return of(m, flat, e, approach, pull, gravity.size());
+  }
+
+  /** The same where the pull is part of one of a given size. */
+  int of(MovingCircle m, boolean flat, double e, double approach, double pull, double size) {
+    boolean pressed = isPressed(m, pull, size);
     double up = e * approach;
     if (isMany(m, e)) {
       return JOIN;
@@ -139,12 +154,13 @@ final class ImpactRule {
     if (pressed && up * up < -2 * pull * ContactLaw.FLAT * m.radius) {
       return flat ? SLIDE : JOIN;
     }
-    return flat || e >= 1 || !pressed || approach >= slow(m.radius) ? BOUNCE : JOIN;
+    return flat || e >= 1 || !pressed || approach >= slow(m.radius, size) ? BOUNCE : JOIN;
   }
 
   /** The rule for two circles. */
   int of(MovingCircle a, MovingCircle b, double e, double approach, double pull) {
-    boolean pressed = isPressed(a, pull) && isPressed(b, pull);
+    double g = gravity.size();
+    boolean pressed = isPressed(a, pull, g) && isPressed(b, pull, g);
     double smaller = Math.min(a.radius, b.radius);
     double up = e * approach;
     boolean hops = !pressed || up * up >= -2 * pull * ContactLaw.FLAT * smaller;

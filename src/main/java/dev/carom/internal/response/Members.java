@@ -41,6 +41,9 @@ final class Members {
   final double[] ax;
   final double[] ay;
 
+  /** How strongly it is pulled, see {@link ContactClock}. */
+  final double[] pull;
+
   /** In units of gravity: the rate at which the momentum is shown within a tick. */
   final double[] rise;
 
@@ -84,6 +87,7 @@ final class Members {
     vy = new double[count];
     ax = new double[count];
     ay = new double[count];
+    pull = new double[count];
     rise = new double[count];
     fresh = new boolean[count];
     turned = new byte[count];
@@ -138,6 +142,10 @@ final class Members {
    */
   void follow(int i, double gx, double gy, double kick) {
     double g = Math.sqrt(gx * gx + gy * gy);
+    if (g == 0) {
+      rise[i] = 1;
+      return;
+    }
     double speed = (vx[i] * gx + vy[i] * gy) / g;
     double ofFlight = (ux[i] * gx + uy[i] * gy) / g;
     double rate = ofFlight * speed / Math.max(speed * speed, kick * kick);
@@ -165,6 +173,12 @@ final class Members {
     rise[i] = 0;
     ax[i] = 0;
     ay[i] = 0;
+  }
+
+  /** The pull on a pair: the stronger one of the two. */
+  double pull(NearPairs p, int k) {
+    int j = p.other[k];
+    return j < count ? Math.max(pull[p.owner[k]], pull[j]) : pull[p.owner[k]];
   }
 
   double speed(int i) {

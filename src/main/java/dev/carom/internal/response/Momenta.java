@@ -70,29 +70,29 @@ final class Momenta {
    * Chooses the contacts of a tick, and solves.
    *
    * @param h the length of the tick
-   * @param slow the least approach that is a hit
+   * @param clock it has the least approach that is a hit
    */
-  void solve(double h, double slow, double gx, double gy) {
+  void solve(double h, ContactClock clock, double gx, double gy) {
     kickX = gx * h;
     kickY = gy * h;
-    double g = Math.sqrt(gx * gx + gy * gy);
-    choose(h, slow, g);
-    solve(g * h);
+    choose(h, clock);
+    solve(h, clock.pull * h);
   }
 
-  private void choose(double h, double slow, double g) {
+  private void choose(double h, ContactClock clock) {
     NearPairs p = graph.pairs;
     sweeps.clear(p.size);
     makeRoom(p);
     count = 0;
-    double reach = 2 * g * h * h;
     for (int k = 0; k < p.size; k++) {
-      warmStart[k] = Math.min(p.impulse[k], ContactLaw.MASS_RATIO * lightWeight(k, g * h));
+      double pull = members.pull(p, k);
+      double reach = 2 * pull * h * h;
+      warmStart[k] = Math.min(p.impulse[k], ContactLaw.MASS_RATIO * lightWeight(k, pull * h));
       if (p.felt[k]) {
         double q = p.opening(v, k);
         double room = p.gap[k] - p.standoff[k];
         if (room + Math.min(q, 0) * h < reach || p.impulse[k] > 0) {
-          choose(k, q, room, h, slow);
+          choose(k, q, room, h, clock.slow(pull));
         }
       }
     }
@@ -137,8 +137,9 @@ final class Momenta {
     int i = 2 * p.owner[k];
     int j = 2 * p.other[k];
     int part = p.part[k];
-    double ux = v[i] - v[j] - (part < 0 ? 0 : parts.vx[part]);
-    double uy = v[i + 1] - v[j + 1] - (part < 0 ? 0 : parts.vy[part]);
+    int a = p.owner[k];
+    double ux = v[i] - v[j] - (part < 0 ? 0 : parts.velocityX(part, members.y[a]));
+    double uy = v[i + 1] - v[j + 1] - (part < 0 ? 0 : parts.velocityY(part, members.x[a]));
     double across = uy * p.nx[k] - ux * p.ny[k];
     return -Math.min(ease / h, across * across * h / (2 * p.round[k]));
   }
@@ -171,7 +172,7 @@ final class Momenta {
     return weight[p.other[k]] > 0 ? 0 : kickX * p.nx[k] + kickY * p.ny[k];
   }
 
-  private void solve(double kick) {
+  private void solve(double h, double kick) {
     double tolerance = ContactLaw.RESIDUAL * kick;
     int most = count == 0 ? 0 : Math.max(ContactLaw.SWEEPS, ContactLaw.WORK / count);
     sweeps.load(graph.order, graph.awake, v);
@@ -184,7 +185,7 @@ final class Momenta {
       sweeps.solvePlainly(tolerance, most);
     }
     sweeps.store(graph.order, v);
-    keep(kick);
+    keep(h);
   }
 
   /**
@@ -242,7 +243,7 @@ final class Momenta {
    * Keeps the impulses for the next tick, each at most twice that of its warm start and a weight:
    * that of a hit is no load.
    */
-  private void keep(double kick) {
+  private void keep(double h) {
     NearPairs p = graph.pairs;
     Arrays.fill(p.impulse, 0, p.size, 0);
     for (int k = 0; k < graph.awake; k++) {
@@ -252,6 +253,7 @@ final class Momenta {
       double l = sweeps.impulse(c);
       if (l > 0) {
         int k = pair[c];
+        double kick = members.pull(p, k) * h;
         p.impulse[k] = Math.min(l, 2 * warmStart[k] + lightWeight(k, kick));
         setBears(k, true);
       }

@@ -17,6 +17,7 @@ final class Newcomers {
   private final double gy;
   private final HalfPlanes planes = new HalfPlanes();
   private final Approach approach = new Approach();
+  private final Arc arc = new Arc();
 
   /** What is around a newcomer: members, then parts. */
   private final IntList near = new IntList();
@@ -134,13 +135,38 @@ final class Newcomers {
     double r = members.radius[i];
     for (int c = nearMembers; c < near.size(); c++) {
       int p = near.get(c);
-      double mx = (ux - parts.vx[p]) * time;
-      double my = (uy - parts.vy[p]) * time;
+      if (parts.turns(p)) {
+        addTurn(i, p, ux, uy);
+        continue;
+      }
+      double mx = parts.wayX(p, ux, time);
+      double my = parts.wayY(p, uy, time);
       if (parts.touches(p, r, members.filter[i], members.x[i], members.y[i], mx, my)
           && isSolid(p, i)) {
         approach.set(parts.normalX, parts.normalY, Math.max(0, parts.distance - r));
-        addPlane(parts.isFlat(p) ? 0 : r + parts.radius[p], ux, uy, parts.vx[p], parts.vy[p]);
+        double vx = parts.velocityX(p, members.y[i]);
+        double vy = parts.velocityY(p, members.x[i]);
+        addPlane(parts.isFlat(p) ? 0 : r + parts.radius[p], ux, uy, vx, vy);
       }
+    }
+  }
+
+  /** Adds what a part that turns asks of a flight u: of each control point, see {@link Arc}. */
+  private void addTurn(int i, int p, double ux, double uy) {
+    double r = members.radius[i];
+    arc.set(parts, p, members.x[i], members.y[i], time);
+    if (!parts.touches(p, r, members.filter[i], members.x[i], members.y[i], arc, ux, uy)
+        || !isSolid(p, i)) {
+      return;
+    }
+    approach.set(parts.normalX, parts.normalY, Math.max(0, parts.distance - r));
+    if (!parts.isFlat(p)) {
+      int end = Arc.POINTS - 1;
+      approach.turn(r + parts.radius[p], arc.wayX(end, ux, uy), arc.wayY(end, ux, uy));
+    }
+    for (int k = 0; k < Arc.POINTS; k++) {
+      arc.bound(k, approach.nx, approach.ny, approach.gap);
+      planes.add(arc.nx, arc.ny, arc.drift - approach.gap / time);
     }
   }
 
@@ -213,15 +239,25 @@ final class Newcomers {
       parts.near(members, s, host, parts.fastest() * time, now, near);
       double r = members.radius[s];
       for (int c = 0; c < near.size(); c++) {
-        int p = near.get(c);
-        double mx = -parts.vx[p] * time;
-        double my = -parts.vy[p] * time;
-        is |=
-            parts.touches(p, r, members.filter[s], x, y, mx, my)
-                && mx * parts.normalX + my * parts.normalY < Math.min(0, r - parts.distance);
+        is |= isMetBy(near.get(c), r, members.filter[s], x, y);
       }
     }
     return is;
+  }
+
+  private boolean isMetBy(int p, double r, long filter, double x, double y) {
+    if (!parts.turns(p)) {
+      double mx = parts.wayX(p, 0, time);
+      double my = parts.wayY(p, 0, time);
+      return parts.touches(p, r, filter, x, y, mx, my)
+          && mx * parts.normalX + my * parts.normalY < Math.min(0, r - parts.distance);
+    }
+    arc.set(parts, p, x, y, time);
+    if (!parts.touches(p, r, filter, x, y, arc, 0, 0)) {
+      return false;
+    }
+    arc.boundStrictly(parts.normalX, parts.normalY, parts.distance - r, 0, 0);
+    return -arc.drift * time < Math.min(0, r - parts.distance);
   }
 
   private void stop(int j) {

@@ -100,10 +100,13 @@ public final class ObstacleResponse {
     boolean falls = m.isFalling();
     point.startAt(m);
     flown = m.advance(m.cleared);
-    if (falls) {
-      return code == m.support ? endSlide(m) : resolveFalling(m, code, log);
+    if (falls && code == m.support) {
+      return endSlide(m);
     }
     double vn = report(m, code, m.t, log);
+    if (falls) {
+      return resolveFalling(m, code, vn, log);
+    }
     if (obstacles.moves(code) && m.jam != null) {
       if (isCrushed.test(m)) {
         passOver(m, code, log);
@@ -111,11 +114,20 @@ public final class ObstacleResponse {
       }
       m.forgetCrushers();
     }
+    boolean turns = point.rate != 0;
+    if (turns && mayJoin(m)) {
+      return resolveFalling(m, code, vn, log);
+    }
     double e = m.restitution * obstacles.restitution(code);
     boolean pushes = point.ux * point.nx + point.uy * point.ny > 0;
     double way = flown * (Math.abs(sx) + Math.abs(sy));
     ImpactRule.count(m, way, ImpactRule.place(m, e), false, pushes);
     boolean stuck = ImpactRule.isStuck(m, e);
+    if (stuck && turns) {
+      passOver(m, code, log);
+      return NEW_FLIGHT;
+    }
+    boolean joins = stuck && mayJoin(m) && isAtTurning(m);
     m.ignoreCirclesOnly();
     change(m, code, vn, stuck ? 0 : e, log);
     if (stuck) {
@@ -123,7 +135,23 @@ public final class ObstacleResponse {
     }
     m.last = code;
     m.newFlight();
-    return stuck ? STUCK : NEW_FLIGHT;
+    return joins ? JOIN : stuck ? STUCK : NEW_FLIGHT;
+  }
+
+  /** Whether contact may hold a circle: nothing moves one of infinite mass. */
+  private boolean mayJoin(MovingCircle m) {
+    return registry == null || registry.mass(m.id) < Double.POSITIVE_INFINITY;
+  }
+
+  /** Whether something that turns may press on a circle that is stuck. */
+  private boolean isAtTurning(MovingCircle m) {
+    near.clear();
+    nearby.obstaclesNear(m, ContactLaw.PUSHED * m.radius, m.t, near);
+    boolean is = false;
+    for (int k = 0; k < near.size(); k++) {
+      is |= obstacles.turns(near.get(k));
+    }
+    return is;
   }
 
   /**
@@ -182,33 +210,49 @@ public final class ObstacleResponse {
     return sx * sx + sy * sy >= slow * slow && sliding.opensBy(m, point.nx, point.ny);
   }
 
-  /** Resolves an impact of a circle that falls or slides, by the {@link ImpactRule}. */
-  private int resolveFalling(MovingCircle m, int code, ImpactRows log) {
-    double vn = report(m, code, m.t, log);
+  /**
+   * Resolves an impact of a circle that falls or slides, or with something that turns, by the
+   * {@link ImpactRule}.
+   */
+  private int resolveFalling(MovingCircle m, int code, double vn, ImpactRows log) {
     double e = m.restitution * obstacles.restitution(code);
     double length = Math.sqrt(point.nx * point.nx + point.ny * point.ny);
     double approach = -vn / length;
     double pull = (m.gx * point.nx + m.gy * point.ny) / length;
+    boolean turns = point.rate != 0;
+    double most = rule.pull(turns ? point.mostBend(m, length) : 0);
+    if (turns) {
+      pull += point.bend(m, length);
+    }
     if (passes(m, code, approach)) {
       log.removeLast();
       return NEW_FLIGHT;
     }
     boolean onSide = ObstacleTable.part(code, m.contact) == Part.SIDE;
-    boolean changesSide = onSide && m.isCarried() && changesSide(m);
+    boolean changesSide = onSide && !turns && m.isCarried() && changesSide(m);
     if (changesSide) {
       pull = sliding.pull(point.nx, point.ny) / length;
     }
     boolean onEnd = !onSide && !flewOff(m) && sliding.isSquare(m, code, point.nx, point.ny);
-    boolean flat = changesSide || (!m.isCarried() && (onSide || onEnd));
-    boolean lands = flat && m.landing == code && approach < rule.slow(m.radius);
+    boolean flat = !turns && (changesSide || (!m.isCarried() && (onSide || onEnd)));
+    boolean isSlow = approach < rule.slow(m.radius, most);
+    boolean lands = flat && m.landing == code && isSlow;
     boolean pushes = point.ux * point.nx + point.uy * point.ny > 0;
-    ImpactRule.count(m, flown * (Math.abs(sx) + Math.abs(sy)), code == m.last, pushes);
-    int what = lands ? ImpactRule.SLIDE : rule.of(m, flat, e, approach, pull);
+    boolean again = code == m.last;
+    double place = ImpactRule.place(m, m.isFalling() ? 1 : e);
+    ImpactRule.count(m, flown * (Math.abs(sx) + Math.abs(sy)), place, again, pushes);
+    int what = lands ? ImpactRule.SLIDE : rule.of(m, flat, e, approach, pull, most);
+    if (turns && again && ImpactRule.isFaint(approach, Math.abs(sx) + Math.abs(sy))) {
+      what = ImpactRule.JOIN; // whatever the rounding says of the pull
+    }
     m.landing = MovingCircle.NOTHING;
     m.last = code;
-    m.jam = null;
+    if (m.isFalling()) {
+      m.jam = null;
+    } else {
+      m.ignoreCirclesOnly();
+    }
     m.newFlight();
-    boolean isSlow = approach < rule.slow(m.radius);
     if (what == ImpactRule.BOUNCE || (what == ImpactRule.JOIN && !isSlow)) {
       change(m, code, vn, e, log);
       sliding.goOn(m, point.nx, point.ny);
@@ -229,7 +273,7 @@ public final class ObstacleResponse {
     return what == ImpactRule.SLIDE ? NEW_FLIGHT : JOIN;
   }
 
-  /** A moving obstacle comes to a circle that something crushed: it passes over it, too. */
+  /** A moving obstacle passes over a circle that something crushed, or of infinite mass. */
   private static void passOver(MovingCircle m, int code, ImpactRows log) {
     m.jam = IgnoreList.crushedBy(m.jam, code);
     m.newFlight();

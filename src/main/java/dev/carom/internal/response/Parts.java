@@ -62,8 +62,15 @@ final class Parts {
   double[] length = new double[8];
   double[] radius = new double[8];
   double[] restitution = new double[8];
-  double[] vx = new double[8];
-  double[] vy = new double[8];
+
+  /** The velocity of what does not turn; of what turns the pivot, and q seen from now, else 0. */
+  private double[] vx = new double[8];
+
+  private double[] vy = new double[8];
+  double[] pivotX = new double[8];
+  double[] pivotY = new double[8];
+  double[] qx = new double[8];
+  double[] qy = new double[8];
   private boolean[] oneWay = new boolean[8];
 
   /** The lines that end in a vertex; of a side, the vertices at its start and end, or NONE. */
@@ -81,6 +88,7 @@ final class Parts {
   private final DoubleList frames = new DoubleList();
 
   private double fastest;
+  private boolean turns;
   private boolean stale = true;
   private double tail;
 
@@ -131,8 +139,12 @@ final class Parts {
     frames.clear();
     fastest = 0;
     ObstacleMotions motions = obstacles.motions();
+    turns = false;
     for (int i = 0; i < motions.count(); i++) {
       addFrame(motions.ux(i), motions.uy(i));
+      if (motions.turns(i)) {
+        addTurn(motions, i);
+      }
     }
     if (circles != null && registry.hasInfinite()) {
       for (int slot : registry.slots()) {
@@ -156,8 +168,33 @@ final class Parts {
     frames.add(ux, uy);
   }
 
+  /**
+   * Notes how fast a point of what turns may be. Its rate is at most {@code 2 |q|^2 / Im(q)}, with
+   * q seen from whenever: c = 1 + q t is nowhere nearer to 0 than by {@code Im(q) / |q|}.
+   */
+  private void addTurn(ObstacleMotions motions, int i) {
+    turns = true;
+    double re = motions.turnX(i, motions.until(i), 0);
+    double im = motions.turnY(i, motions.until(i), 0);
+    int its = motions.code(i);
+    ObstacleRows rows = obstacles.of(its);
+    int k = rows.offset(its);
+    double far = 0;
+    for (int c = 0; c <= rows.shape.toEnd; c += LineShape.END) {
+      double px = rows.values[k + c] - motions.pivotX(i);
+      double py = rows.values[k + c + 1] - motions.pivotY(i);
+      far = Math.max(far, length(px, py));
+    }
+    far += rows.shape.radius(rows.values, k);
+    fastest = Math.max(fastest, 2 * (re * re + im * im) / Math.abs(im) * far);
+  }
+
   double fastest() {
     return fastest;
+  }
+
+  boolean areTurning() {
+    return turns;
   }
 
   boolean areMoving() {
@@ -351,6 +388,11 @@ final class Parts {
     vy[part] = obstacles.uy(its);
     oneWay[part] = obstacles.isOneWay(its) || obstacles.outside(its) != 0;
     loadRow(its, now);
+    if (obstacles.turns(its)) {
+      pivotX[part] = obstacles.pivotX(its);
+      pivotY[part] = obstacles.pivotY(its);
+      takeTurn(part, now);
+    }
     x[part] = row[0];
     y[part] = row[1];
     if (Codes.isLine(its)) {
@@ -373,11 +415,13 @@ final class Parts {
   }
 
   /**
-   * Takes the direction from where the line was at the start of its motion: the same at all times.
+   * Takes the direction of a line that does not turn from its row: the same at all times. That of
+   * one that turns is where it is now.
    */
   private void makeSide(int part, int line) {
-    double[] ends = obstacles.lines.values;
-    int k = obstacles.lines.offset(line);
+    boolean isPlaced = turns(part);
+    double[] ends = isPlaced ? row : obstacles.lines.values;
+    int k = isPlaced ? 0 : obstacles.lines.offset(line);
     double wx = ends[k + LineShape.BX] - ends[k + LineShape.AX];
     double wy = ends[k + LineShape.BY] - ends[k + LineShape.AY];
     length[part] = StrictMath.hypot(wx, wy);
@@ -387,6 +431,11 @@ final class Parts {
       dy[part] = wy / length[part];
       links[part] = new int[] {Index.NONE, Index.NONE};
     }
+  }
+
+  private void takeTurn(int part, double now) {
+    qx[part] = obstacles.turnX(code[part], now, tail);
+    qy[part] = obstacles.turnY(code[part], now, tail);
   }
 
   private int add(int its, byte itsKind) {
@@ -403,6 +452,8 @@ final class Parts {
     radius[part] = 0;
     vx[part] = 0;
     vy[part] = 0;
+    qx[part] = 0;
+    qy[part] = 0;
     oneWay[part] = false;
     seen[part] = 0;
     return part;
@@ -421,6 +472,10 @@ final class Parts {
     restitution = Arrays.copyOf(restitution, room);
     vx = Arrays.copyOf(vx, room);
     vy = Arrays.copyOf(vy, room);
+    pivotX = Arrays.copyOf(pivotX, room);
+    pivotY = Arrays.copyOf(pivotY, room);
+    qx = Arrays.copyOf(qx, room);
+    qy = Arrays.copyOf(qy, room);
     oneWay = Arrays.copyOf(oneWay, room);
     links = Arrays.copyOf(links, room);
     seen = Arrays.copyOf(seen, room);
@@ -436,8 +491,7 @@ final class Parts {
     double py = endY(side, which);
     x[part] = px;
     y[part] = py;
-    vx[part] = vx[side];
-    vy[part] = vy[side];
+    takeMotion(part, side);
     restitution[part] = restitution[side];
     oneWay[part] = oneWay[side];
     end[part] = (byte) (which + 1);
@@ -450,6 +504,23 @@ final class Parts {
     }
     links[part] = lines.toArray();
     return part;
+  }
+
+  private void takeMotion(int vertex, int side) {
+    vx[vertex] = vx[side];
+    vy[vertex] = vy[side];
+    pivotX[vertex] = pivotX[side];
+    pivotY[vertex] = pivotY[side];
+    qx[vertex] = qx[side];
+    qy[vertex] = qy[side];
+  }
+
+  private boolean moveAlike(int a, int b) {
+    return vx[a] == vx[b]
+        && vy[a] == vy[b]
+        && qx[a] == qx[b]
+        && qy[a] == qy[b]
+        && (!turns(a) || (pivotX[a] == pivotX[b] && pivotY[a] == pivotY[b]));
   }
 
   private void join(int vertex, int side, IntList lines) {
@@ -468,13 +539,13 @@ final class Parts {
   }
 
   private boolean endsAt(int side, int which, int vertex) {
-    if (vx[side] != vx[vertex] || vy[side] != vy[vertex]) {
+    if (!moveAlike(side, vertex)) {
       return false;
     }
     double apartX = endX(side, which) - x[vertex];
     double apartY = endY(side, which) - y[vertex];
-    double most =
-        moves(vertex) ? ContactLaw.TOUCH * (Math.abs(x[vertex]) + Math.abs(y[vertex])) : 0;
+    double size = Math.abs(x[vertex]) + Math.abs(y[vertex]) + (turns(vertex) ? length[side] : 0);
+    double most = moves(vertex) ? ContactLaw.TOUCH * size : 0;
     return Math.abs(apartX) + Math.abs(apartY) <= most;
   }
 
@@ -496,7 +567,52 @@ final class Parts {
   // Motion.
 
   boolean moves(int part) {
-    return vx[part] != 0 || vy[part] != 0;
+    return vx[part] != 0 || vy[part] != 0 || turns(part);
+  }
+
+  boolean turns(int part) {
+    return qy[part] != 0;
+  }
+
+  /** The velocity that a part has at a place: what turns has one at each. */
+  double velocityX(int part, double py) {
+    return turns(part) ? -2 * qy[part] * (py - pivotY[part]) : vx[part];
+  }
+
+  double velocityY(int part, double px) {
+    return turns(part) ? 2 * qy[part] * (px - pivotX[part]) : vy[part];
+  }
+
+  /** The speed of a part along the normal of the last question, at a place. */
+  double speed(int part, double px, double py) {
+    return velocityX(part, py) * normalX + velocityY(part, px) * normalY;
+  }
+
+  /** The speed of a part that does not turn along a normal. */
+  double driftAlong(int part, double nx, double ny) {
+    return vx[part] * nx + vy[part] * ny;
+  }
+
+  /** Where a circle goes relative to a part that does not turn, by a flight (ux, uy) in a time. */
+  double wayX(int part, double ux, double time) {
+    return (ux - vx[part]) * time;
+  }
+
+  double wayY(int part, double uy, double time) {
+    return (uy - vy[part]) * time;
+  }
+
+  /**
+   * How fast the gap to a part that turns may bend, for a circle at a place and the unit normal n,
+   * see {@link ContactLaw#bend}.
+   */
+  double bend(int part, double r, double px, double py, double vx, double vy, double nx, double ny) {
+    double dx = px - pivotX[part];
+    double dy = py - pivotY[part];
+    double rate = 2 * qy[part];
+    double faster = -2 * rate * qx[part];
+    double h = dx * nx + dy * ny;
+    return ContactLaw.bend(rate, faster, r, h, dy * nx - dx * ny, vy * nx - vx * ny);
   }
 
   /** Moves what moves to its place at a time. */
@@ -521,10 +637,21 @@ final class Parts {
       int which = links[side][0] == part ? 0 : 1;
       x[part] = endX(side, which);
       y[part] = endY(side, which);
+      takeMotion(part, side);
     } else {
       loadRow(its, now);
       x[part] = row[0];
       y[part] = row[1];
+      if (turns(part)) {
+        takeTurn(part, now);
+        if (kind[part] == SIDE) {
+          double wx = row[LineShape.BX] - row[LineShape.AX];
+          double wy = row[LineShape.BY] - row[LineShape.AY];
+          double size = length(wx, wy);
+          dx[part] = wx / size;
+          dy[part] = wy / size;
+        }
+      }
     }
   }
 
@@ -595,6 +722,16 @@ final class Parts {
     normalY = qy / d;
     distance = d - radius[part];
     return d > 0;
+  }
+
+  /** The same for a part that turns: the flight (ux, uy) is a curve, as seen from it. */
+  boolean touches(
+      int part, double r, long filter, double px, double py, Arc arc, double ux, double uy) {
+    boolean any = false;
+    for (int i = 0; i < Arc.POINTS; i++) {
+      any |= touches(part, r, filter, px, py, arc.wayX(i, ux, uy), arc.wayY(i, ux, uy));
+    }
+    return any;
   }
 
   private boolean spans(int side, double r, double qx, double qy, double mx, double my) {

@@ -188,7 +188,7 @@ final class Rest {
 
   /** Freezes calm circles that bear on calm ones. */
   boolean freeze(double now, ContactClock clock) {
-    if (!findCalm(now, clock)) {
+    if (!findCalm(now)) {
       return false;
     }
     NearPairs p = graph.pairs;
@@ -215,7 +215,7 @@ final class Rest {
   }
 
   /** Finds the awake circles that are calm; whether there is any. */
-  private boolean findCalm(double now, ContactClock clock) {
+  private boolean findCalm(double now) {
     boolean any = false;
     for (int k = 0; k < graph.awake; k++) {
       int i = graph.order[k];
@@ -226,14 +226,15 @@ final class Rest {
       if (dx * dx + dy * dy > most * most) {
         watch(i, now);
       }
-      calm[i] = members.isAwake(i) && isCalm(i, ContactLaw.CALM_TICKS, now, clock);
+      calm[i] = members.isAwake(i) && isCalm(i, ContactLaw.CALM_TICKS, now);
       any |= calm[i];
     }
     return any;
   }
 
-  private boolean isCalm(int i, int ticks, double now, ContactClock clock) {
-    return now - members.calmSince[i] >= ticks * clock.ownTick(members.radius[i]);
+  private boolean isCalm(int i, int ticks, double now) {
+    double tick = ContactClock.ownTick(members.radius[i], members.pull[i]);
+    return now - members.calmSince[i] >= ticks * tick;
   }
 
   /** Keeps circles awake that bear on one that is not calm, or whose frames come or go. */
@@ -242,13 +243,15 @@ final class Rest {
     int i = p.owner[k];
     int j = p.other[k];
     int part = p.part[k];
-    double fx = members.frameX[i] - (part >= 0 ? parts.vx[part] : members.frameX[j]);
-    double fy = members.frameY[i] - (part >= 0 ? parts.vy[part] : members.frameY[j]);
-    boolean parted = Math.abs(fx * p.nx[k] + fy * p.ny[k]) > ContactLaw.FLAT * clock.slow();
+    double ux = part >= 0 ? parts.velocityX(part, members.y[i]) : members.frameX[j];
+    double uy = part >= 0 ? parts.velocityY(part, members.x[i]) : members.frameY[j];
+    double opening = (members.frameX[i] - ux) * p.nx[k] + (members.frameY[i] - uy) * p.ny[k];
+    boolean turns = part >= 0 && parts.turns(part);
+    boolean parted = turns || Math.abs(opening) > ContactLaw.FLAT * clock.slow();
     boolean isFixed = part >= 0 || members.isFrozen(j);
     int half = ContactLaw.CALM_TICKS / 2;
-    boolean disturbsJ = !isFixed && (parted || !isCalm(i, half, now, clock));
-    if (parted || (!isFixed && !isCalm(j, half, now, clock))) {
+    boolean disturbsJ = !isFixed && (parted || !isCalm(i, half, now));
+    if (parted || (!isFixed && !isCalm(j, half, now))) {
       calm[i] = false;
     }
     if (disturbsJ) {

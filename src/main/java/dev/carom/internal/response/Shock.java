@@ -285,7 +285,10 @@ public final class Shock {
     for (int c = 0; c < contacts.size(); c++) {
       int part = pairs.part[contacts.get(c)];
       if (part >= 0) {
-        largest = Math.max(largest, Math.max(Math.abs(parts.vx[part]), Math.abs(parts.vy[part])));
+        MovingCircle m = bodies.get(pairs.owner[contacts.get(c)]);
+        double ux = parts.velocityX(part, m.y);
+        double uy = parts.velocityY(part, m.x);
+        largest = Math.max(largest, Math.max(Math.abs(ux), Math.abs(uy)));
       }
     }
     exponent = largest == 0 ? 0 : Math.getExponent(largest);
@@ -560,12 +563,13 @@ public final class Shock {
     int part = pairs.part[k];
     MovingCircle a = bodies.get(pairs.owner[k]);
     MovingCircle b = part < 0 ? bodies.get(pairs.other[k]) : null;
-    double ux = b == null ? parts.vx[part] : b.vx;
-    double uy = b == null ? parts.vy[part] : b.vy;
+    double ux = b == null ? parts.velocityX(part, a.y) : b.vx;
+    double uy = b == null ? parts.velocityY(part, a.x) : b.vy;
     double opening = (a.vx - ux) * pairs.nx[k] + (a.vy - uy) * pairs.ny[k];
     double speeds = Math.abs(a.vx) + Math.abs(a.vy) + Math.abs(ux) + Math.abs(uy);
     boolean moves = (a.vx != ux || a.vy != uy) && weightOf(k) > 0;
-    if (!moves || !ImpactRule.isFaint(opening, speeds)) {
+    boolean turns = part >= 0 && parts.turns(part); // it comes nearer again
+    if (!moves || turns || !ImpactRule.isFaint(opening, speeds)) {
       return;
     }
     for (int code : b == null ? parts.codes(part) : new int[] {Codes.circle(b.id)}) {

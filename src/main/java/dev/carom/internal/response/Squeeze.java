@@ -26,11 +26,10 @@ final class Squeeze {
   private final Sweeps sweeps = new Sweeps();
   private final Groups groups;
 
-  // Of each group: whether it is squeezed; whether something drives it, and its velocity.
+  // Of each group: whether it is squeezed; whether something drives it, and which part.
   private final boolean[] inside;
   private final boolean[] driven;
-  private final double[] driveX;
-  private final double[] driveY;
+  private final int[] driver;
 
   /** The pairs of the problem. */
   private int[] pair = new int[0];
@@ -47,8 +46,7 @@ final class Squeeze {
     groups = new Groups(n);
     inside = new boolean[n];
     driven = new boolean[n];
-    driveX = new double[n];
-    driveY = new double[n];
+    driver = new int[n];
   }
 
   /** Forgets the last solution, before flights are sought. */
@@ -84,15 +82,16 @@ final class Squeeze {
       if (isAtPart(k, reach) && parts.moves(p.part[k])) {
         int q = groups.of(p.owner[k]);
         driven[q] = true;
-        driveX[q] = parts.vx[p.part[k]];
-        driveY[q] = parts.vy[p.part[k]];
+        driver[q] = p.part[k];
       }
     }
     for (int k = 0; k < p.size; k++) {
       int q = groups.of(p.owner[k]);
       if (isAtPart(k, reach) && driven[q]) {
-        double dx = parts.vx[p.part[k]] - driveX[q];
-        double dy = parts.vy[p.part[k]] - driveY[q];
+        double x = members.x[p.owner[k]];
+        double y = members.y[p.owner[k]];
+        double dx = parts.velocityX(p.part[k], y) - parts.velocityX(driver[q], y);
+        double dy = parts.velocityY(p.part[k], x) - parts.velocityY(driver[q], x);
         inside[q] |= dx * p.nx[k] + dy * p.ny[k] > ContactLaw.FLAT * parts.fastest();
       }
     }
@@ -105,8 +104,8 @@ final class Squeeze {
       int i = graph.order[k];
       int q = groups.of(i);
       boolean isCarried = driven[q] && !inside[q];
-      drive[2 * i] = isCarried ? driveX[q] : 0;
-      drive[2 * i + 1] = isCarried ? driveY[q] : 0;
+      drive[2 * i] = isCarried ? parts.velocityX(driver[q], members.y[i]) : 0;
+      drive[2 * i + 1] = isCarried ? parts.velocityY(driver[q], members.x[i]) : 0;
     }
   }
 
@@ -166,7 +165,8 @@ final class Squeeze {
     double tx = -(ay - by);
     double ty = ax - bx;
     double bulge = (ax + bx) * tx + (ay + by) * ty;
-    double up = -(gx * tx + gy * ty) / Math.sqrt(gx * gx + gy * gy);
+    double g = Math.sqrt(gx * gx + gy * gy);
+    double up = g == 0 ? 0 : -(gx * tx + gy * ty) / g;
     double way = Math.abs(bulge) > ContactLaw.FLAT ? bulge : up;
     if (Math.abs(way) <= ContactLaw.FLAT) {
       return; // either side is as good
@@ -211,7 +211,7 @@ final class Squeeze {
    * of many circles that has to buckle takes thousands of sweeps: where fewer do not do the tick is
    * cut, and each cut allows four times as many.
    */
-  boolean solve(double[] u, double h, int cuts) {
+  boolean solve(double[] u, double h, double kick, int cuts) {
     NearPairs p = graph.pairs;
     join(ContactLaw.STANDOFF * ContactLaw.HOLD);
     for (int k = 0; k < p.size; k++) {
@@ -224,7 +224,6 @@ final class Squeeze {
     }
     fill(h);
     sweeps.load(graph.order, graph.awake, u);
-    double kick = Math.sqrt(gx * gx + gy * gy) * h;
     sweeps.solve(ContactLaw.RESIDUAL * kick, ContactLaw.SWEEPS << (2 * cuts));
     sweeps.store(graph.order, u);
     return isSafe(h);

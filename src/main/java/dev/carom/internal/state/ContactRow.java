@@ -16,8 +16,11 @@ public final class ContactRow {
   public static final int RANK = 16;
   public static final int MARGIN = 19;
 
+  /** The largest pull on any member, which decides what is slow. */
+  public static final int PULL = 26;
+
   /** The number of columns. */
-  public static final int SIZE = 26;
+  public static final int SIZE = 27;
 
   // The columns of a pair: the id of the other circle (-1: a part of an obstacle), the key of the
   // part, the impulse, and two flags: whether it bore (1), whether the circle passes through (2).

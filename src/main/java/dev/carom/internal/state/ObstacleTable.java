@@ -365,6 +365,11 @@ public final class ObstacleTable {
     return moves(code) && motions.turns(motions.indexOf(code));
   }
 
+  /** Whether any obstacle turns. */
+  public boolean areTurning() {
+    return IntStream.range(0, motions.count()).anyMatch(motions::turns);
+  }
+
   public double pivotX(int code) {
     return motions.pivotX(motions.indexOf(code));
   }
