@@ -887,7 +887,8 @@ public final class ContactCore {
     graph.listY[i] = f.number(listed, graph.listY[i]);
     graph.margin[i] = f.number(listed, graph.margin[i]);
     graph.listTime[i] = f.number(listed, graph.listTime[i]);
-    graph.fastest = f.number(listed, graph.fastest);
+    double fastest = f.number(listed, graph.fastest);
+    graph.fastest = graph.margin[i] > 0 ? fastest : graph.fastest; // a newcomer is not listed yet
     boolean isGood = f.number(awake, isKnown && graph.isValid ? 1 : 0) != 0;
     newcomers.longest = f.number(ticks, newcomers.longest);
     members.rise[i] = f.number(members.rise[i]);

@@ -415,13 +415,12 @@ final class Parts {
   }
 
   /**
-   * Takes the direction of a line that does not turn from its row: the same at all times. That of
-   * one that turns is where it is now.
+   * Takes length and direction from where the line was at the start of its motion, or at the end of
+   * its turn: the same at all times, but for the direction of what turns.
    */
   private void makeSide(int part, int line) {
-    boolean isPlaced = turns(part);
-    double[] ends = isPlaced ? row : obstacles.lines.values;
-    int k = isPlaced ? 0 : obstacles.lines.offset(line);
+    double[] ends = obstacles.lines.values;
+    int k = obstacles.lines.offset(line);
     double wx = ends[k + LineShape.BX] - ends[k + LineShape.AX];
     double wy = ends[k + LineShape.BY] - ends[k + LineShape.AY];
     length[part] = StrictMath.hypot(wx, wy);
@@ -430,6 +429,18 @@ final class Parts {
       dx[part] = wx / length[part];
       dy[part] = wy / length[part];
       links[part] = new int[] {Index.NONE, Index.NONE};
+      takeDirection(part);
+    }
+  }
+
+  /** Takes the direction of a side that turns from the row that was loaded. */
+  private void takeDirection(int part) {
+    if (kind[part] == SIDE && turns(part)) {
+      double wx = row[LineShape.BX] - row[LineShape.AX];
+      double wy = row[LineShape.BY] - row[LineShape.AY];
+      double size = length(wx, wy);
+      dx[part] = wx / size;
+      dy[part] = wy / size;
     }
   }
 
@@ -644,13 +655,7 @@ final class Parts {
       y[part] = row[1];
       if (turns(part)) {
         takeTurn(part, now);
-        if (kind[part] == SIDE) {
-          double wx = row[LineShape.BX] - row[LineShape.AX];
-          double wy = row[LineShape.BY] - row[LineShape.AY];
-          double size = length(wx, wy);
-          dx[part] = wx / size;
-          dy[part] = wy / size;
-        }
+        takeDirection(part);
       }
     }
   }
