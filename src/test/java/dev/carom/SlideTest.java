@@ -34,6 +34,29 @@ class SlideTest {
     assertThat(Math.hypot(world.vx(0), world.vy(0))).isCloseTo(6, within(1e-13));
   }
 
+  /** Gravity presses it by less than rounding tells, and it came back and back. */
+  @Test
+  void aBallWithoutBounceFallsAlongALineThatIsNearlyVertical() {
+    Random random = new Random(1);
+    double ulp = Math.ulp(21.6);
+    for (int i = 0; i < 20; i++) {
+      double x = 21.6 + random.nextInt(4) * ulp;
+      World world =
+          new World(
+              Scene.builder()
+                  .gravity(0, -50)
+                  .line(x, -20, 21.6 - random.nextInt(4) * ulp, -60)
+                  .restitution(0)
+                  .circle(17 * random.nextDouble(), -30, 3.5, 50, 5 * random.nextDouble())
+                  .collide(i % 2 == 0)
+                  .build());
+      double vy = world.vy(0);
+      assertThat(world.advanceTo(0.5, 100)).isTrue();
+      assertThat(world.y(0)).isCloseTo(-30 + 0.5 * vy - 50 * 0.125, within(1e-12));
+      assertThat(world.x(0)).isCloseTo(21.6 - 3.5, within(1e-13));
+    }
+  }
+
   @Test
   void aBallRollsOffATableAndFalls() {
     World world =

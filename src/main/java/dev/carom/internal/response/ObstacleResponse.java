@@ -242,8 +242,9 @@ public final class ObstacleResponse {
     double place = ImpactRule.place(m, m.isFalling() ? 1 : e);
     ImpactRule.count(m, flown * (Math.abs(sx) + Math.abs(sy)), place, again, pushes);
     int what = lands ? ImpactRule.SLIDE : rule.of(m, flat, e, approach, pull, most);
-    if (turns && again && ImpactRule.isFaint(approach, Math.abs(sx) + Math.abs(sy))) {
-      what = ImpactRule.JOIN; // whatever the rounding says of the pull
+    boolean faint = again && ImpactRule.isFaint(approach, Math.abs(sx) + Math.abs(sy));
+    if (faint && (turns || (flat && e < 1))) { // it comes back and back, whatever presses it
+      what = turns ? ImpactRule.JOIN : ImpactRule.SLIDE;
     }
     m.landing = MovingCircle.NOTHING;
     m.last = code;
