@@ -37,7 +37,14 @@ class ContactTurningTest {
    * {@code s' = u + w r, u' = w^2 s - g sin(angle)}. Returns s and u.
    */
   private static double[] slide(
-      double s0, double u0, double r, double g, double angle, double time, double from, double end) {
+      double s0,
+      double u0,
+      double r,
+      double g,
+      double angle,
+      double time,
+      double from,
+      double end) {
     double s = s0;
     double u = u0;
     int steps = 100_000;
@@ -100,8 +107,12 @@ class ContactTurningTest {
   void atTheEndItFliesFreely(boolean collide) {
     World world =
         new World(
-            Scene.builder().collide(collide).line(0, 0, 60, 0).restitution(0)
-                .circle(12, 3, 3, 0, 0).build());
+            Scene.builder()
+                .collide(collide)
+                .line(0, 0, 60, 0)
+                .restitution(0)
+                .circle(12, 3, 3, 0, 0)
+                .build());
     world.turn(Kind.LINE, 0, 0, 0, STROKE, TIME);
     world.advanceTo(TIME + 0.001);
     double vx = world.vx(0);
@@ -266,7 +277,9 @@ class ContactTurningTest {
 
   // Wedges and stops.
 
-  /** In a wedge that closes a ball is pushed out; {@code r w / (2 sin^2(angle / 2))} is its speed. */
+  /**
+   * In a wedge that closes a ball is pushed out; {@code r w / (2 sin^2(angle / 2))} is its speed.
+   */
   @ParameterizedTest
   @CsvSource({"0, false, 0", "0.5, false, 0", "0, true, 0", "0.9, true, 0", "0.5, true, 200"})
   void aWedgeThatClosesPushesABallOut(double e, boolean collide, double g) {

@@ -30,7 +30,11 @@ final class Motions {
   private static final long SALT = 0x6D6F76696E67L;
 
   private final Random random;
+
+  /** The source of turns; null if nothing turns. */
   private final Random turn;
+
+  private boolean turned;
   private final double length;
   private final double speed;
 
@@ -42,7 +46,7 @@ final class Motions {
 
   Motions(long seed, Numbers numbers) {
     random = new Random(seed ^ SALT);
-    turn = new Random(~seed ^ SALT);
+    turn = (seed & 2) == 0 ? new Random(~seed ^ SALT) : null;
     length = numbers.length();
     speed = numbers.speedUnit();
   }
@@ -75,7 +79,7 @@ final class Motions {
     Vec2 v = velocity(place(world, kind, id));
     Snapshot before = world.snapshot();
     try {
-      int what = turn.nextInt(4) == 0 ? 3 : random.nextInt(3);
+      int what = turn != null && turn.nextInt(4) == 0 ? 3 : random.nextInt(3);
       if (what == 3) {
         turn(world, kind, id);
       } else if (what > 0) {
@@ -113,6 +117,15 @@ final class Motions {
     world.turn(kind, id, x, y, turn.nextBoolean() ? angle : Math.PI / 4, arrival);
     arrivals.add(arrival);
     turns.put(Solid.name(kind, id), arrival);
+    turned = true;
+  }
+
+  /**
+   * Whether anything has turned: circles may be in contact then, also without gravity, and contact
+   * makes no rows.
+   */
+  boolean haveTurned() {
+    return turned;
   }
 
   /** The names of the obstacles that may turn after a time. */

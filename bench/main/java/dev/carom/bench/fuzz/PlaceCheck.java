@@ -37,27 +37,31 @@ final class PlaceCheck {
       outside.clear();
     }
     for (int id : world.ids(Kind.CIRCLE)) {
-      boolean isInside = isInside(id);
+      boolean isInside = isInside(id, false);
       outside.set(id, outside.get(id) || !isInside);
       inside.set(id, isInside && (!outside.get(id) || world.gravity().equals(Vec2.ZERO)));
     }
   }
 
-  /** Compares with the end of the step. */
-  void end() throws FindingException {
+  /**
+   * Compares with the end of the step.
+   *
+   * @param turned whether circles may be in contact without gravity
+   */
+  void end(boolean turned) throws FindingException {
     for (int id : world.ids(Kind.CIRCLE)) {
       boolean numbers = !Double.isNaN(world.x(id)) && !Double.isNaN(world.y(id));
       if (!numbers || !Double.isFinite(world.vx(id)) || !Double.isFinite(world.vy(id))) {
         throw new FindingException("circle %d has a coordinate that is no number".formatted(id));
       }
-      if (inside.get(id) && !isInside(id)) {
+      if (inside.get(id) && !isInside(id, turned)) {
         throw new FindingException(
             "circle %d left the bounds by %s at %s".formatted(id, beyond(world, id), world.now()));
       }
     }
   }
 
-  private boolean isInside(int id) {
+  private boolean isInside(int id, boolean turned) {
     double size =
         Math.max(world.radius(id), Math.max(Math.abs(world.x(id)), Math.abs(world.y(id))));
     for (Bounds b : world.scene().bounds().stream().toList()) {
@@ -65,7 +69,7 @@ final class PlaceCheck {
       size = Math.max(size, Math.max(Math.abs(b.ymin()), Math.abs(b.ymax())));
     }
     double slack = size <= Double.MAX_VALUE ? ULPS * Math.ulp(size) : 0;
-    boolean mayTouch = !world.gravity().equals(Vec2.ZERO);
+    boolean mayTouch = turned || !world.gravity().equals(Vec2.ZERO);
     return beyond(world, id) <= slack + (mayTouch ? IN_CONTACT * world.radius(id) : 0);
   }
 

@@ -39,8 +39,10 @@ final class StepFlights {
   private final Rounding rounding;
   private final DeepHits deep;
 
-  /** Whether there is gravity. */
+  /** Whether there is gravity, and whether circles may be in contact. */
   private final boolean falls;
+
+  private final boolean mayTouch;
 
   private int parts;
 
@@ -48,14 +50,22 @@ final class StepFlights {
    * Reads a step.
    *
    * @param deep the deep hits before it
+   * @param turned whether circles may be in contact without gravity
    */
-  StepFlights(World world, Timeline timeline, double start, Rounding rounding, DeepHits deep) {
+  StepFlights(
+      World world,
+      Timeline timeline,
+      double start,
+      Rounding rounding,
+      DeepHits deep,
+      boolean turned) {
     this.world = world;
     this.timeline = timeline;
     this.start = start;
     this.rounding = rounding;
     this.deep = deep;
     falls = !world.gravity().equals(Vec2.ZERO);
+    mayTouch = falls || turned;
   }
 
   /** Of all circles, one list each; none for those that are out of the range of doubles. */
@@ -122,9 +132,9 @@ final class StepFlights {
     if (++parts > MOST_PARTS) {
       return;
     }
-    if (falls && middle > from && middle < to && !(isOne(flight) && isContinuous(flight))) {
-      double tick = Math.sqrt(TICK * flight.radius() / world.gravity().length());
-      if (to - from <= PART_OF_TICK * tick) {
+    if (mayTouch && middle > from && middle < to && !(isOne(flight) && isContinuous(flight))) {
+      double tick = falls ? Math.sqrt(TICK * flight.radius() / world.gravity().length()) : 0;
+      if (falls && to - from <= PART_OF_TICK * tick) {
         checkContact(flight, tick);
         return;
       }
@@ -132,7 +142,11 @@ final class StepFlights {
       add(flights, i, middle, to, begins && !deep.isDeep(i));
       return;
     }
-    checkContinuous(flight);
+    if (falls || !mayTouch) {
+      checkContinuous(flight);
+    } else if (!isContinuous(flight)) {
+      return; // a part of a tick: without gravity nothing tells how short it is
+    }
     if (flight.isFinite()) {
       flights.add(flight);
     }

@@ -149,14 +149,16 @@ final class StepWatch {
     steps++;
     impacts += log.size();
     LogCheck.check(world, start);
-    places.end();
+    places.end(haveTurned());
     masses.read(log);
     passed.read(log);
     readImpacts(log);
     if (complete && log.size() < mostRows) {
       keepLimits();
-      energy.end();
-      jam.check(world, timeline, dt > 0);
+      if (!haveTurned()) {
+        energy.end();
+        jam.check(world, timeline, dt > 0);
+      }
       deep.read(world, timeline);
       checkFlights(start, timeline);
       if (isWithinClock() && steps % EACH == 0) {
@@ -168,6 +170,10 @@ final class StepWatch {
     masses.end();
     passed.end();
     return nanos;
+  }
+
+  private boolean haveTurned() {
+    return motions != null && motions.haveTurned();
   }
 
   private boolean isFinished(double dt) {
@@ -197,7 +203,7 @@ final class StepWatch {
   }
 
   private void checkFlights(double start, Timeline timeline) throws FindingException {
-    var all = new StepFlights(world, timeline, start, rounding, deep).all();
+    var all = new StepFlights(world, timeline, start, rounding, deep, haveTurned()).all();
     for (var of : all) {
       flights += of.size();
       of.forEach(f -> rounding.keepSpeed(f.vx(), f.vy()));

@@ -74,7 +74,9 @@ final class Arc {
     return (kx[i] * dy + ky[i] * dx) + (lx[i] * uy + ly[i] * ux);
   }
 
-  /** Finds the half plane that keeps control point i within a gap, along the normal n at the start. */
+  /**
+   * Finds the half plane that keeps control point i within a gap, along the normal n at the start.
+   */
   void bound(int i, double normalX, double normalY, double gap) {
     nx = (lx[i] * normalX + ly[i] * normalY) / length[i];
     ny = (lx[i] * normalY - ly[i] * normalX) / length[i];

@@ -3,8 +3,8 @@ package dev.carom.internal.response;
 
 /**
  * The clock of contact: ticks at multiples of a power of two, tau, that the pull and the radius of
- * each awake circle decide. The pull is gravity, or what something that turns does if that is more. Clocks are nested. A tick may be cut; the next one then ends where the cut
- * one would have.
+ * each awake circle decide. The pull is gravity, or what something that turns does if that is more.
+ * Clocks are nested. A tick may be cut; the next one then ends where the cut one would have.
  */
 final class ContactClock {
 

@@ -255,8 +255,8 @@ public final class ContactCore {
   }
 
   /**
-   * How strongly a circle is pulled, see {@link ContactClock}: by gravity, or by what turns near it.
-   * If nothing pulls it a tick is as long as if it flew round a curve of its radius.
+   * How strongly a circle is pulled, see {@link ContactClock}: by gravity, or by what turns near
+   * it. If nothing pulls it a tick is as long as if it flew round a curve of its radius.
    */
   private double pull(int i, double now) {
     double vx = members.vx[i];

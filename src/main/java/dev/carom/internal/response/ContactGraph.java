@@ -24,6 +24,7 @@ final class ContactGraph {
 
   /** Whether pairs are measured for flights, which have to be safe, and not for momenta. */
   private boolean forFlights;
+
   private final double gx;
   private final double gy;
 

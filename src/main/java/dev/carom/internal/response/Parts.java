@@ -617,7 +617,8 @@ final class Parts {
    * How fast the gap to a part that turns may bend, for a circle at a place and the unit normal n,
    * see {@link ContactLaw#bend}.
    */
-  double bend(int part, double r, double px, double py, double vx, double vy, double nx, double ny) {
+  double bend(
+      int part, double r, double px, double py, double vx, double vy, double nx, double ny) {
     double dx = px - pivotX[part];
     double dy = py - pivotY[part];
     double rate = 2 * qy[part];

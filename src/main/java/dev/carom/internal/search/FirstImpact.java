@@ -196,8 +196,12 @@ abstract class FirstImpact {
 
   /** Whether the flight passes an obstacle, whatever its place. */
   final boolean ignores(int code) {
-    return code == unhittable
-        || isFiltered(code)
+    return code == unhittable || letsThrough(code);
+  }
+
+  /** Whether an obstacle lets the circle pass, also if it was not just hit. */
+  final boolean letsThrough(int code) {
+    return isFiltered(code)
         || (jam != null && (jam.makesInert(code) || jam.isCrushedBy(code)))
         || (passesSensors && obstacles.isSensor(code));
   }

@@ -177,8 +177,9 @@ public final class FlightSearch {
     search.start(m);
     search.forgetHits();
     if (isFinite(m)) {
-      if (obstacles.moves(code)) {
-        search.considerMoving(obstacles.motions().indexOf(code), NEVER);
+      int moving = obstacles.motions().indexOf(code);
+      if (moving >= 0) {
+        search.considerMoving(moving, NEVER);
       } else {
         search.considerOnly(code);
       }

@@ -7,10 +7,12 @@ import dev.carom.internal.exact.RealRoot;
 import dev.carom.internal.state.CodeSet;
 import dev.carom.internal.state.Codes;
 import dev.carom.internal.state.MovingCircle;
+import dev.carom.internal.state.ObstacleRows;
 import dev.carom.internal.state.ObstacleTable;
 import dev.carom.internal.sweep.Contact;
 import dev.carom.internal.sweep.FallSweep;
 import dev.carom.internal.sweep.LineShape;
+import dev.carom.internal.sweep.ObstacleShape;
 import dev.carom.internal.sweep.PointSweep;
 import dev.carom.internal.sweep.SegmentFilter;
 import dev.carom.internal.sweep.SideSweep;
@@ -26,6 +28,9 @@ final class StraightSearch extends CellWalk {
 
   /** The margin of the lists covers this part of a cell beyond the visited ones. */
   private static final double NEAR_CELLS = 0x1p-10;
+
+  /** Far more than the rounding of a place, in units of its terms. */
+  private static final double ROUNDING = 0x1p-40;
 
   /** Least speed, and least speed times size, for which the bounds cover underflow. */
   private static final double LEAST_SAFE = 0x1p-900;
@@ -66,7 +71,7 @@ final class StraightSearch extends CellWalk {
   @Override
   void start(MovingCircle m) {
     super.start(m);
-    unhittable = obstacles.turns(m.last) ? MovingCircle.NOTHING : m.last; // it is convex
+    unhittable = m.last; // it is convex
     spared = m.last;
     isRough = false;
   }
@@ -325,23 +330,51 @@ final class StraightSearch extends CellWalk {
   @Override
   void considerMotion(int i, double end) {
     int code = obstacles.motions().code(i);
-    if (!ignores(code)) {
+    if (obstacles.motions().turns(i)) {
+      considerTurn(i, code, Math.min(end, latest));
+    } else if (!ignores(code)) {
       fly();
       chooseMoving(i);
-      if (fall.turns()) {
-        askTurning(code, Math.min(end, latest));
-      } else {
-        ask(code, Math.min(end, latest));
-      }
+      ask(code, Math.min(end, latest));
     }
   }
 
-  /** Asks for an impact with an obstacle that turns: even a straight flight can return to it. */
-  private void askTurning(int code, double end) {
+  /** The same for one that turns: even a straight flight can return to it. */
+  private void considerTurn(int i, int code, double end) {
+    if (letsThrough(code) || isOutOfReach(i, code, end)) {
+      return;
+    }
+    fly();
+    chooseMoving(i);
     double t = time(code, NEVER, asked(end));
     if (t <= end) {
       offer(t, code, contact(code, t));
     }
+  }
+
+  /** Whether the path certainly stays outside of the disk about the pivot in which it turns. */
+  private boolean isOutOfReach(int i, int code, double end) {
+    ObstacleRows rows = obstacles.of(code);
+    double[] v = rows.values;
+    int a = rows.offset(code);
+    int b = a + rows.shape.toEnd;
+    double pivotX = obstacles.motions().pivotX(i);
+    double pivotY = obstacles.motions().pivotY(i);
+    double startX = v[a + ObstacleShape.X] - pivotX;
+    double startY = v[a + ObstacleShape.Y] - pivotY;
+    double endX = v[b + ObstacleShape.X] - pivotX;
+    double endY = v[b + ObstacleShape.Y] - pivotY;
+    double square = Math.max(startX * startX + startY * startY, endX * endX + endY * endY);
+    double x = px - pivotX;
+    double y = py - pivotY;
+    double nearest = -(x * vx + y * vy) / (vx * vx + vy * vy);
+    double t = nearest > 0 ? Math.min(nearest, end) : 0; // 0 at rest
+    double nearX = fma(vx, t, x);
+    double nearY = fma(vy, t, y);
+    double size = Math.abs(px) + Math.abs(py) + Math.abs(pivotX) + Math.abs(pivotY);
+    double way = (Math.abs(vx) + Math.abs(vy)) * t;
+    double reach = Math.sqrt(square) + rows.shape.radius(v, a) + r + ROUNDING * (size + way);
+    return nearX * nearX + nearY * nearY > (1 + ROUNDING) * (reach * reach);
   }
 
   // Exact times.

@@ -59,6 +59,9 @@ public final class ObstacleMotions {
   /** The earliest end of a motion; infinite if none ends. */
   private double nextEnd;
 
+  /** Whether any is a turn. */
+  private boolean areTurning;
+
   private ObstacleMotions(int[] codes, double[] motions) {
     this.codes = codes;
     this.motions = motions;
@@ -67,8 +70,10 @@ public final class ObstacleMotions {
 
   private void findNextEnd() {
     nextEnd = NEVER;
-    for (int k = UNTIL; k < codes.length * SIZE; k += SIZE) {
-      nextEnd = Math.min(nextEnd, motions[k]);
+    areTurning = false;
+    for (int k = 0; k < codes.length * SIZE; k += SIZE) {
+      nextEnd = Math.min(nextEnd, motions[k + UNTIL]);
+      areTurning |= motions[k + TURN_Y] != 0;
     }
   }
 
@@ -140,6 +145,7 @@ public final class ObstacleMotions {
     System.arraycopy(codes, 0, other.codes, 0, codes.length);
     System.arraycopy(motions, 0, other.motions, 0, motions.length);
     other.nextEnd = nextEnd;
+    other.areTurning = areTurning;
     return other;
   }
 
@@ -202,6 +208,11 @@ public final class ObstacleMotions {
   public double turn(int i) {
     double speed = Math.max(Math.abs(column(i, TURN_X)), Math.abs(column(i, TURN_Y)));
     return speed == 0 ? 0 : speed * (until(i) - since(i));
+  }
+
+  /** Whether any motion is a turn. */
+  boolean areTurning() {
+    return areTurning;
   }
 
   /** Whether motion i is a turn. */

@@ -362,7 +362,7 @@ public final class ObstacleTable {
 
   /** Whether an obstacle turns about a pivot; its velocity counts as 0 then. */
   public boolean turns(int code) {
-    return moves(code) && motions.turns(motions.indexOf(code));
+    return motions.areTurning() && moves(code) && motions.turns(motions.indexOf(code));
   }
 
   /** Whether any obstacle turns. */

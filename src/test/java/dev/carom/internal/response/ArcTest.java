@@ -62,19 +62,13 @@ class ArcTest {
   private record Around(int line) implements ContactSurroundings {
 
     @Override
-    public void membersNear(
-        int slot, double x, double y, double reach, IntList into) {
+    public void membersNear(int slot, double x, double y, double reach, IntList into) {
       // It is alone.
     }
 
     @Override
     public void obstaclesNear(
-        int slot,
-        double x,
-        double y,
-        double reach,
-        double now,
-        IntList into) {
+        int slot, double x, double y, double reach, double now, IntList into) {
       into.add(line);
     }
   }
@@ -84,8 +78,7 @@ class ArcTest {
     double[] from = obstacles.rowAt(parts.codes(part)[0], now, 0);
     double[] to = obstacles.rowAt(parts.codes(part)[0], now + t, 0);
     double by =
-        Math.atan2(from[3] - from[1], from[2] - from[0])
-            - Math.atan2(to[3] - to[1], to[2] - to[0]);
+        Math.atan2(from[3] - from[1], from[2] - from[0]) - Math.atan2(to[3] - to[1], to[2] - to[0]);
     double dx = x + ux * t - PIVOT_X;
     double dy = y + uy * t - PIVOT_Y;
     return new double[] {

@@ -51,8 +51,7 @@ class TurningContactTest {
             obstacles,
             null,
             gravity,
-            (circle, reach, now, into) ->
-                obstacles.codes(KindNumber.LINE).forEach(into::add));
+            (circle, reach, now, into) -> obstacles.codes(KindNumber.LINE).forEach(into::add));
     m.start(0, x, y, R, vx, vy, restitution);
     m.fall(gravity.x, gravity.y);
     contact.join(m, log);
@@ -64,10 +63,6 @@ class TurningContactTest {
     while (m.isMember() && m.due() <= end) {
       check();
       contact.tick(m, log);
-      if (Boolean.getBoolean("dbg")) {
-        double[] row = obstacles.rowAt(obstacles.codes(KindNumber.LINE).findFirst().getAsInt(), m.t, 0);
-        System.out.printf("t %.6f mode %d gap %.3e v %.6f %.6f p %.6f %.6f due %.6f %n", m.t, m.mode, distance(row, m.x, m.y) - R, m.vx, m.vy, m.px, m.py, m.due());
-      }
       ticks++;
       assertThat(ticks).isLessThan(100_000);
     }
@@ -98,8 +93,8 @@ class TurningContactTest {
   }
 
   /**
-   * A circle that stays on a line that turns at the rate w: {@code s' = u + w r, u' = w^2 s} for its
-   * place s along the line and its speed u, less {@code g sin} of the angle.
+   * A circle that stays on a line that turns at the rate w: {@code s' = u + w r, u' = w^2 s} for
+   * its place s along the line and its speed u, less {@code g sin} of the angle.
    */
   private double[] slide(int line, double from, double speed, double end) {
     double s = from;
@@ -175,7 +170,8 @@ class TurningContactTest {
     double now = Math.atan2(row[3], row[2]);
     double half = Math.sin(now / 2);
     double speed = -obstacles.rate(line, m.t, 0) * R / (2 * half * half);
-    System.out.printf("place %.1e, speed %s for %s, overlap %.1e%n",
+    System.out.printf(
+        "place %.1e, speed %s for %s, overlap %.1e%n",
         m.x - R / Math.tan(now / 2), m.vx, speed, deepest);
     if (g > 0) {
       assertThat(m.x).isCloseTo(R / Math.tan(now / 2), within(0.05));
@@ -197,7 +193,6 @@ class TurningContactTest {
     while (m.isMember() && m.mode != MovingCircle.JAMMED && m.due() < 1) {
       check();
       contact.tick(m, log);
-      if (Boolean.getBoolean("dbg")) System.out.printf("t %.6f mode %d at %.5f %.5f v %.6f %.6f p %.6f %.6f due %.6f %n", m.t, m.mode, m.x, m.y, m.vx, m.vy, m.px, m.py, m.due());
     }
     assertThat(m.mode).isEqualTo(MovingCircle.JAMMED);
     assertThat(deepest).isLessThan(1e-10);
