@@ -254,6 +254,10 @@ public abstract class Engine {
    */
   final void appeared(int code, double now) {
     changed(code, now);
+    restartWhatMeets(code, now);
+  }
+
+  private void restartWhatMeets(int code, double now) {
     MovingCircle m = circles.body;
     LiveCodes present = registry.present();
     for (int k = 0; k < present.size(); k++) {
@@ -288,11 +292,20 @@ public abstract class Engine {
     moved(code, isInGrids, now);
   }
 
+  /**
+   * Handles a new motion. That of an outline is known when its last side has it: two sides tell
+   * whether a vertex is hit.
+   */
   private void moved(int code, boolean isInGrids, double now) {
-    if (isInGrids && staticScene.obstacles.moves(code)) {
+    ObstacleTable obstacles = staticScene.obstacles;
+    if (isInGrids && obstacles.moves(code)) {
       staticScene.forgetGrids();
     }
-    appeared(code, now);
+    changed(code, now);
+    int first = code + 1 < obstacles.endOf(code) ? code + 1 : obstacles.firstOf(code);
+    for (int each = first; each <= code; each++) {
+      restartWhatMeets(each, now);
+    }
   }
 
   /** Handles a change of a line or a peg that no flight meets, such as its removal. */

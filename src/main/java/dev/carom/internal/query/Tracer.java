@@ -34,6 +34,9 @@ public final class Tracer {
   /** A circle for a cast. */
   public final MovingCircle body = new MovingCircle();
 
+  /** What arrives at a time. */
+  private final IntList arriving = new IntList();
+
   /** The row of a moving obstacle that is hit. */
   private final double[] placed = new double[ObstacleTable.MOST_NUMBERS + 1];
 
@@ -95,13 +98,19 @@ public final class Tracer {
   /** Lets the obstacles rest that arrive at a time, as the engine does. */
   private void arrive(MovingCircle body, double time) {
     ObstacleMotions motions = obstacles.motions();
+    arriving.clear();
     for (int i = 0; i < motions.count(); i++) {
       if (motions.until(i) - obstacles.epoch() <= time) {
-        obstacles.restInQuestion(motions.code(i));
-        body.forget(motions.code(i), 0);
-        if (search.meets(body, motions.code(i))) {
-          body.restart(time, 0, obstacles);
-        }
+        arriving.add(motions.code(i));
+      }
+    }
+    for (int k = 0; k < arriving.size(); k++) { // of an outline all sides, before any is asked
+      obstacles.restInQuestion(arriving.get(k));
+    }
+    for (int k = 0; k < arriving.size(); k++) {
+      body.forget(arriving.get(k), 0);
+      if (search.meets(body, arriving.get(k))) {
+        body.restart(time, 0, obstacles);
       }
     }
     body.clearUpTo(0);
@@ -215,6 +224,7 @@ public final class Tracer {
         add(body, flights);
       }
       arrive(body, arrival);
+      contact.changed();
       if (body.t < arrival) {
         body.clearUpTo(arrival - body.t); // up to here it has met all sensors
       }
