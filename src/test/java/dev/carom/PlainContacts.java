@@ -24,7 +24,7 @@ final class PlainContacts implements ContactHost {
     room = world.bodies.size() + 1;
     table = CircleTable.colliding(room);
     table.allowGravity();
-    if (world.gravity.acts() && world.collide) {
+    if (world.collide) {
       core =
           new ContactCore(
               world.obstacles, world.registry, table, this, room, world.gravity.x, world.gravity.y);

@@ -242,6 +242,7 @@ abstract class PlainEdits extends PlainSearch {
     letFallFrom(code);
     obstacles.remove(code);
     noteContact(code);
+    endContact();
     bodies.forEach(m -> m.forget(code, 0));
   }
 
@@ -343,9 +344,20 @@ abstract class PlainEdits extends PlainSearch {
     }
   }
 
+  /** Without gravity nothing is in contact once nothing turns. */
+  private void endContact() {
+    for (MovingCircle m : bodies) {
+      boolean ends = !gravity.acts() && !obstacles.areTurning();
+      if (ends && registry.contains(m.id) && m.isMember()) {
+        restarted(m.id).forget();
+      }
+    }
+  }
+
   /** Flights that would meet a thing that was not there begin anew. */
   private void appear(int code) {
     noteContact(code);
+    endContact();
     for (MovingCircle m : bodies) {
       if (registry.contains(m.id)) {
         m.forget(code, 0);

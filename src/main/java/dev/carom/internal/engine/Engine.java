@@ -313,6 +313,26 @@ public abstract class Engine {
     staticScene.changed(code);
     noteContact(code, now);
     noteObstacle(code, now);
+    if (!gravity.acts() && circles.allowsGravity() && !staticScene.obstacles.areTurning()) {
+      endContact(now);
+    }
+  }
+
+  /** Lets all circles fly that are in contact, as nothing presses them together any more. */
+  private void endContact(double now) {
+    MovingCircle m = circles.body;
+    LiveCodes present = registry.present();
+    for (int k = 0; k < present.size(); k++) {
+      int i = present.get(k);
+      if (registry.contains(i) && circles.isMember(i)) {
+        circles.load(i);
+        leaveContact(m, now);
+        m.restart(now, tailOfEdit(m, now), staticScene.obstacles);
+        m.forget();
+        release(m);
+        beginFlight(m);
+      }
+    }
   }
 
   // Time.

@@ -225,6 +225,11 @@ public final class Tracer {
       }
       arrive(body, arrival);
       contact.changed();
+      if (body.isMember() && !gravity.acts() && !obstacles.areTurning()) {
+        leave(body, arrival, contact);
+        body.forget();
+        add(body, flights);
+      }
       if (body.t < arrival) {
         body.clearUpTo(arrival - body.t); // up to here it has met all sensors
       }
@@ -255,16 +260,20 @@ public final class Tracer {
     for (int i = 0; i < motions.count(); i++) {
       int code = motions.code(i);
       if (motions.until(i) - obstacles.epoch() <= time && isHeld(body, code, time, contact)) {
-        if (body.isMember()) {
-          contact.leave(body, time);
-        }
-        body.restart(time, 0, obstacles);
+        leave(body, time, contact);
         body.forget(code, 0);
-        body.fall(gravity.x, gravity.y);
         return true;
       }
     }
     return false;
+  }
+
+  private void leave(MovingCircle body, double time, LoneContact contact) {
+    if (body.isMember()) {
+      contact.leave(body, time);
+    }
+    body.restart(time, 0, obstacles);
+    body.fall(gravity.x, gravity.y);
   }
 
   private static boolean isHeld(MovingCircle body, int code, double time, LoneContact contact) {

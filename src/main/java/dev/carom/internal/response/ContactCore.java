@@ -256,7 +256,8 @@ public final class ContactCore {
 
   /**
    * How strongly a circle is pulled, see {@link ContactClock}: by gravity, or by what turns near
-   * it. If nothing pulls it a tick is as long as if it flew round a curve of its radius.
+   * it. If nothing does, a tick is as long as if the fastest thing flew round a curve of its
+   * radius.
    */
   private double pull(int i, double now) {
     double vx = members.vx[i];
@@ -276,7 +277,8 @@ public final class ContactCore {
         most = Math.max(most, bend);
       }
     }
-    return most > 0 ? most : (vx * vx + vy * vy) / r;
+    double fastest = Math.max(vx * vx + vy * vy, parts.fastest() * parts.fastest());
+    return most > 0 ? most : fastest / r;
   }
 
   /** The same for all that are awake, from the list of pairs. */

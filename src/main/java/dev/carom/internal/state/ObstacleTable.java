@@ -367,7 +367,7 @@ public final class ObstacleTable {
 
   /** Whether any obstacle turns. */
   public boolean areTurning() {
-    return IntStream.range(0, motions.count()).anyMatch(motions::turns);
+    return motions.areTurning();
   }
 
   public double pivotX(int code) {
