@@ -271,7 +271,6 @@ class ContactTurningTest {
       }
       assertThat(worst).as("overlap of ball %s", i).isLessThan(1e-8);
     }
-    System.out.printf("g %s: %,d impacts of %d balls, overlap %.1e%n", g, impacts, balls, worst);
     assertThat(impacts).isBetween((long) balls, 60L * balls);
   }
 
@@ -342,6 +341,67 @@ class ContactTurningTest {
     assertThat(isJammed).isTrue();
   }
 
+  /** One of infinite mass has the velocity of the line, and then that passes over it. */
+  @ParameterizedTest
+  @CsvSource({"0, false, 0", "0, true, 100", "0.5, true, 0", "0.5, false, 100"})
+  void aLinePassesOverWhatHasInfiniteMass(double e, boolean collide, double g) {
+    World world =
+        new World(
+            Scene.builder()
+                .gravity(0, -g)
+                .collide(collide)
+                .line(0, 0, 60, 0)
+                .restitution(e)
+                .circle(20, 4, 4, 0, 0)
+                .mass(Double.POSITIVE_INFINITY)
+                .build());
+    for (int k = 0; k < 6; k++) {
+      world.turn(Kind.LINE, 0, 0, 0, k % 2 == 0 ? 1.5 : -1.5, world.now() + 0.5);
+      world.advanceTo(world.now() + 0.5);
+      assertThat(Math.hypot(world.vx(0), world.vy(0))).isLessThan(2_000);
+    }
+  }
+
+  /** Solid from outside, and from its left: a ball inside of them leaves. */
+  @ParameterizedTest
+  @CsvSource({"0", "300"})
+  void aPolygonAndAOneWayLineCarryFromOutside(double g) {
+    Outline paddle = Outline.rectangle(0, -10, 80, 0);
+    World world =
+        new World(
+            Scene.builder()
+                .gravity(0, -g)
+                .outline(paddle)
+                .restitution(0.25)
+                .line(-10, 0, -90, 0)
+                .oneWay()
+                .restitution(0.25)
+                .circle(40, 4, 4, 0, 0) // on the polygon
+                .circle(40, -5, 4, 0, 0) // in it
+                .circle(-40, -4, 4, 0, 0) // on the left of the line
+                .circle(-60, 4, 4, 0, 0) // on its right
+                .build());
+    for (int k = 0; k < 50; k++) {
+      if (k % 25 == 0) {
+        double angle = k == 0 ? 0.5 : -0.5;
+        world.turn(Kind.LINE, 0, 0, 0, angle, world.now() + 0.25);
+        world.turn(Kind.LINE, 1, 0, 0, angle, world.now() + 0.25);
+      }
+      world.advanceTo(world.now() + 0.01);
+      Outline solid = (Outline) world.shape(Kind.LINE, 0);
+      Vec2 center = new Vec2(world.x(0), world.y(0));
+      for (int side = 0; side < 4; side++) {
+        Vec2 near = solid.side(side).closestPoint(center);
+        double gap = Math.hypot(near.x() - center.x(), near.y() - center.y()) - 4;
+        assertThat(gap).as("at %s", k).isGreaterThan(-1e-8);
+      }
+      if (k < 24) {
+        assertThat(gap(world, 1, 2)).isGreaterThan(-1e-8);
+      }
+    }
+    assertThat(world.impacts().size()).isLessThan(10);
+  }
+
   // Crowds.
 
   private static void fill(SceneBuilder scene, int balls, double x, double y, double e) {
@@ -406,7 +466,6 @@ class ContactTurningTest {
     }
     Line blade = world.line(0);
     assertThat(Math.sin(Math.atan2(blade.by(), blade.bx()) - angle)).isCloseTo(0, within(1e-12));
-    System.out.printf("e %s: %d jammed%n", e, run.jammed.size());
     assertThat(run.jammed.size()).isLessThan(8);
   }
 

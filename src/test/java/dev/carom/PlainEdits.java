@@ -57,7 +57,7 @@ abstract class PlainEdits extends PlainSearch {
   private void noteContact(int code) {
     if (collide) {
       contacts.changed(code, now);
-    } else if (gravity.acts() && !Codes.isCircle(code)) {
+    } else if (!Codes.isCircle(code)) {
       lone.changed();
       for (MovingCircle m : bodies) {
         if (registry.contains(m.id) && m.isMember() && lone.isNear(m, code, now)) {

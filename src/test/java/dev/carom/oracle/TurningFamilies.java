@@ -365,7 +365,7 @@ public final class TurningFamilies {
         a.y(),
         b.x(),
         b.y(),
-        a == b ? d.whole(0, 2) : 0,
+        a.equals(b) ? d.whole(0, 2) : 0,
         p.x(),
         p.y(),
         d.whole(0, 4),

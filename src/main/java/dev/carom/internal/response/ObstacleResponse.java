@@ -146,12 +146,17 @@ public final class ObstacleResponse {
   /** Whether something that turns may press on a circle that is stuck. */
   private boolean isAtTurning(MovingCircle m) {
     near.clear();
-    nearby.obstaclesNear(m, ContactLaw.PUSHED * m.radius, m.t, near);
+    double reach = ContactLaw.PUSHED * m.radius;
+    nearby.obstaclesNear(m, reach, m.t, near);
     boolean is = false;
     for (int k = 0; k < near.size(); k++) {
-      is |= obstacles.turns(near.get(k));
+      is |= obstacles.turns(near.get(k)) && distance(near.get(k), m) <= m.radius + reach;
     }
     return is;
+  }
+
+  private double distance(int code, MovingCircle m) {
+    return obstacles.of(code).shape.distance(obstacles.rowAt(code, m.t, m.tl), 0, m.x, m.y);
   }
 
   /**
