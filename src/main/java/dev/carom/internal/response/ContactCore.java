@@ -244,7 +244,7 @@ public final class ContactCore {
     double tick = ContactClock.ownTick(members.radius[i], members.pull[i]);
     if (graph.awake == 0 && jammed == 0) {
       clock.pull = members.pull[i];
-      clock.start(tick, now);
+      clock.start(tick < Double.POSITIVE_INFINITY ? tick : Math.ulp(now), now); // else it leaves
       momentTime = now;
       newcomers.longest = 0;
       cuts = 0;
