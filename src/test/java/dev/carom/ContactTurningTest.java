@@ -402,24 +402,6 @@ class ContactTurningTest {
     assertThat(world.impacts().size()).isLessThan(10);
   }
 
-  /** A ball in a corner is no matter of contact with a line whose box it is in. */
-  @Test
-  void whatTurnsFarAwayHoldsNothing() {
-    World world =
-        new World(
-            Scene.builder()
-                .bounds(-100, -100, 100, 100)
-                .restitution(0)
-                .line(-98, 50, 50, -98)
-                .circle(-90, -90, 3, -10, -10)
-                .build());
-    world.turn(Kind.LINE, 0, 0, 0, 0.001, 2);
-    world.advanceTo(2);
-    assertThat(world.x(0)).isEqualTo(-97);
-    assertThat(world.y(0)).isEqualTo(-97);
-    assertThat(world.vx(0)).isZero();
-  }
-
   // Crowds.
 
   private static void fill(SceneBuilder scene, int balls, double x, double y, double e) {
