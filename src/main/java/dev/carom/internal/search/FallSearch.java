@@ -6,7 +6,6 @@ import dev.carom.internal.state.Codes;
 import dev.carom.internal.state.MovingCircle;
 import dev.carom.internal.state.ObstacleRows;
 import dev.carom.internal.state.ObstacleTable;
-import dev.carom.internal.sweep.Fall;
 import dev.carom.internal.sweep.LineShape;
 import dev.carom.internal.sweep.ObstacleShape;
 import dev.carom.internal.sweep.UnitVectors;

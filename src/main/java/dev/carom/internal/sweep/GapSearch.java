@@ -85,6 +85,9 @@ final class GapSearch {
 
   private Gaps<GapPolynomial> gaps;
 
+  /** Whether the obstacle turns. */
+  private boolean turns;
+
   private Gaps<GapPolynomial> exactGaps;
 
   /** The gaps of the regions on this rung, and without rounding; each is made when needed. */
@@ -152,6 +155,7 @@ final class GapSearch {
   private GapSearch of(Gaps<GapPolynomial> newGaps) {
     boolean isLine = fall.isLine;
     gaps = newGaps;
+    turns = newGaps.turns();
     exactGaps = null;
     fromStart = isLine ? gaps.fromStart() : null;
     fromEnd = isLine ? gaps.fromEnd() : null;
@@ -344,7 +348,7 @@ final class GapSearch {
    * part falls if the gap of the side does not, and the projection goes away from the line.
    */
   private boolean leaves(int region) {
-    if (fromStart == null || region == Gaps.BESIDE || region == counted || gaps.turns()) {
+    if (fromStart == null || region == Gaps.BESIDE || region == counted || turns) {
       return false;
     }
     int away = region - Gaps.BESIDE;
@@ -435,7 +439,7 @@ final class GapSearch {
   /** The sign of a gap at an end of the interval. */
   private int signAt(int region, double t) {
     int sign = t == 0 ? gap(region).signAtStart() : gap(region).signAt(t, 0);
-    if (sign == UNKNOWN && gaps.turns() && region != counted) {
+    if (sign == UNKNOWN && turns && region != counted) {
       sign = fall.turningRoot().sign(region, t);
     }
     return sign != UNKNOWN ? sign : exactGap(region).signAt(t, 0);
@@ -444,8 +448,7 @@ final class GapSearch {
   /** The double nearest to the only root in an interval: by its residue, or without rounding. */
   private double root(int region, double from, double to) {
     double t = DOUBT;
-    boolean hasSpeed =
-        region != counted || (!gaps.turns() && gap(region).derivative().signAtStart() == 1);
+    boolean hasSpeed = region != counted || (!turns && gap(region).derivative().signAtStart() == 1);
     if (!gap(region).isExact() && hasSpeed) {
       t = rounded(region, gap(region).root(1, from, to));
     }
@@ -460,7 +463,7 @@ final class GapSearch {
     if (region == counted) {
       return GapRoot.nearestReturn(fall, qx, qy, root);
     }
-    if (gaps.turns()) {
+    if (turns) {
       return fall.turningRoot().nearest(region, root);
     }
     return region == Gaps.BESIDE
@@ -505,7 +508,7 @@ final class GapSearch {
 
   private int signAtTurn(int region, double t, double width) {
     GapPolynomial gap = gap(region);
-    return gaps != null && gaps.turns()
+    return turns
         ? gap.signAtTurn(
             t, width, rate(region), fall.turn.change(low, high, region == Gaps.BESIDE ? 2 : 1))
         : gap.signAtTurn(t, width);
@@ -591,7 +594,7 @@ final class GapSearch {
    * grazes that at most.
    */
   private boolean isPassed(int region) {
-    if (gaps == null || region == Gaps.BESIDE || region == counted || gaps.turns()) {
+    if (gaps == null || region == Gaps.BESIDE || region == counted || turns) {
       return false;
     }
     GapPolynomial x = gaps.x(region);
