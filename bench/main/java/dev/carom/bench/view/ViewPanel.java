@@ -270,7 +270,7 @@ public final class ViewPanel extends JPanel {
     duels.add(new JLabel("Where others fail"));
     for (Preset preset : Preset.values()) {
       JButton button = new JButton(preset.toString());
-      button.setToolTipText(preset.about());
+      button.setToolTipText(preset.about() + " (beside " + Rival.BOX2D.title() + ")");
       button.setFocusable(false);
       button.addActionListener(event -> duel(preset));
       duels.add(button);
