@@ -5,6 +5,7 @@ import dev.carom.internal.exact.RealRoot;
 import dev.carom.internal.query.Tracer;
 import dev.carom.internal.search.ObstacleIndex;
 import dev.carom.internal.state.MovingCircle;
+import dev.carom.internal.state.ObstacleMotions;
 import dev.carom.internal.state.ObstacleTable;
 import dev.carom.internal.sweep.Coordinates;
 import dev.carom.internal.sweep.DiskSweep;
@@ -434,9 +435,10 @@ public record SweptCircle(
   }
 
   private static Vec2 turned(Vec2 place, Vec2 pivot, double angle) {
-    return Vec2.within(
-        Turn.endX(place.x(), place.y(), pivot.x(), pivot.y(), angle),
-        Turn.endY(place.x(), place.y(), pivot.x(), pivot.y(), angle));
+    double[] xy = {place.x(), place.y()};
+    ObstacleMotions.turn(
+        pivot.x(), pivot.y(), StrictMath.cos(0.5 * angle), StrictMath.sin(0.5 * angle), xy, 0);
+    return new Vec2(xy[0], xy[1]);
   }
 
   /**

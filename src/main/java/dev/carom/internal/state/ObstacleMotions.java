@@ -6,6 +6,7 @@ import static dev.carom.internal.exact.Fma.fma;
 import dev.carom.internal.sweep.Coordinates;
 import dev.carom.internal.sweep.LineShape;
 import dev.carom.internal.sweep.ObstacleShape;
+import dev.carom.internal.sweep.Turn;
 import dev.carom.internal.util.DoubleList;
 import java.util.Arrays;
 import java.util.SortedMap;
@@ -116,11 +117,10 @@ public final class ObstacleMotions {
   public static void setTurn(
       double[] motion, double pivotX, double pivotY, double angle, double since, double until) {
     Arrays.fill(motion, 0, PIVOT_X, 0);
-    double sine = StrictMath.sin(0.25 * angle);
     motion[PIVOT_X] = pivotX;
     motion[PIVOT_Y] = pivotY;
-    motion[TURN_X] = 2 * sine * sine / (until - since);
-    motion[TURN_Y] = StrictMath.sin(0.5 * angle) / (until - since);
+    motion[TURN_X] = -Turn.q1(angle, until - since);
+    motion[TURN_Y] = Turn.q2(angle, until - since);
     motion[SINCE] = since;
     motion[UNTIL] = until;
   }

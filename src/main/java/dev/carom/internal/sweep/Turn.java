@@ -35,25 +35,6 @@ public final class Turn {
     return StrictMath.sin(0.5 * angle) / time;
   }
 
-  /** Where a turn by an angle about a pivot brings a point: the same bits on every machine. */
-  public static double endX(double px, double py, double pivotX, double pivotY, double angle) {
-    return end(pivotX, pivotY, angle).placeX(px, py);
-  }
-
-  public static double endY(double px, double py, double pivotX, double pivotY, double angle) {
-    return end(pivotX, pivotY, angle).placeY(px, py);
-  }
-
-  private static Turn end(double pivotX, double pivotY, double angle) {
-    Turn turn = new Turn();
-    turn.pivotX = pivotX;
-    turn.pivotY = pivotY;
-    turn.x = StrictMath.cos(0.5 * angle);
-    turn.y = StrictMath.sin(0.5 * angle);
-    turn.n = turn.x * turn.x + turn.y * turn.y;
-    return turn;
-  }
-
   void set(double itsPivotX, double itsPivotY, double itsQ1, double itsQ2) {
     pivotX = itsPivotX;
     pivotY = itsPivotY;
