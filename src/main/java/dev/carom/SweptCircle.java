@@ -411,8 +411,8 @@ public record SweptCircle(
       Line line, Vec2 pivot, double angle, double arrival, double maxTime) {
     Check.notNull("line", line);
     Check.notNull("pivot", pivot);
-    if (!(Math.abs(angle) <= Math.PI / 2)) {
-      throw Check.refused("angle", angle, "at most a quarter turn, +-" + Math.PI / 2);
+    if (!(Math.abs(angle) <= Turn.QUARTER)) {
+      throw Check.refused("angle", angle, "at most a quarter turn, +-" + Turn.QUARTER);
     }
     double q1 = Turn.q1(angle, arrival);
     double q2 = Turn.q2(angle, arrival);

@@ -15,6 +15,7 @@ import dev.carom.internal.state.SizeLimits;
 import dev.carom.internal.state.TraitValues;
 import dev.carom.internal.sweep.Coordinates;
 import dev.carom.internal.sweep.ObstacleShape;
+import dev.carom.internal.sweep.Turn;
 import dev.carom.internal.util.Check;
 import dev.carom.internal.util.KindNumber;
 import dev.carom.internal.util.Refusal;
@@ -32,9 +33,6 @@ import java.util.stream.IntStream;
 public final class Editor {
 
   private static final double INFINITE = Double.POSITIVE_INFINITY;
-
-  /** The largest angle of a turn. */
-  private static final double QUARTER = Math.PI / 2;
 
   private final boolean collide;
   private final Engine engine;
@@ -398,8 +396,8 @@ public final class Editor {
     try {
       limits.checkCoordinate("pivotX", pivotX);
       limits.checkCoordinate("pivotY", pivotY);
-      if (!(Math.abs(angle) <= QUARTER)) {
-        throw Check.refused("angle", angle, "at most a quarter turn, +-" + QUARTER);
+      if (!(Math.abs(angle) <= Turn.QUARTER)) {
+        throw Check.refused("angle", angle, "at most a quarter turn, +-" + Turn.QUARTER);
       }
       checkArrival(arrival, now);
     } catch (IllegalArgumentException e) {

@@ -11,6 +11,9 @@ import static dev.carom.internal.exact.Fma.fma;
  */
 public final class Turn {
 
+  /** The largest angle of a turn, in radians. */
+  public static final double QUARTER = Math.PI / 2;
+
   double pivotX;
   double pivotY;
   double q1;
