@@ -99,6 +99,13 @@ public final class Dyadic implements Ring<Dyadic> {
     return m.abs().bitLength() - 1 + e;
   }
 
+  /** The residue by {@link Residues#PRIME}, by which a power of two has the period 31. */
+  long residue() {
+    ExactBudget.add(m.bitLength());
+    long power = 1L << Math.floorMod(e, 31);
+    return m.mod(BigInteger.valueOf(Residues.PRIME)).longValue() * power % Residues.PRIME;
+  }
+
   /** The square root of a number at or above zero, rounded down, to at least {@code bits} bits. */
   Dyadic sqrt(int bits) {
     int shift = 2 * bits - m.bitLength(); // what is beyond so many bits is left out
