@@ -104,9 +104,10 @@ public final class ExactParabola {
 
   /** The impact or the later entry whose rounded time is t; t itself if there is none. */
   public RealRoot at(double t) {
-    RealRoot root = first(Double.POSITIVE_INFINITY);
+    double end = Math.nextUp(t); // what is later is not rounded to t
+    RealRoot root = first(end);
     if (root == null || root.nearest() != t) {
-      root = entryAfter(Math.nextDown(t), Double.POSITIVE_INFINITY);
+      root = entryAfter(Math.nextDown(t), end);
     }
     return root == null || root.nearest() != t ? RealRoot.at(Dyadic.of(t)) : root;
   }

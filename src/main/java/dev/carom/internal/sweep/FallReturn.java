@@ -233,7 +233,7 @@ public final class FallReturn {
     int contact = FallSweep.contact(region, side);
     if (contact == Contact.DOUBT) {
       ExactReturn exact = exact(f);
-      RealRoot root = exact.first(NEVER);
+      RealRoot root = exact.first(Math.nextUp(t));
       contact = FallSweep.contact(exact.region(root), exact.side(root));
     }
     return contact | now;
