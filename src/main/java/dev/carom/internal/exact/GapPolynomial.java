@@ -360,6 +360,15 @@ public final class GapPolynomial implements Ring<GapPolynomial> {
     return sign;
   }
 
+  /** The last sign before time 0; 0 if it is not known. */
+  public int signBeforeStart() {
+    int sign = 0;
+    for (int i = 0; i < length && sign == 0; i++) {
+      sign = (i % 2 == 0 ? 1 : -1) * coefficientSign(i);
+    }
+    return Math.abs(sign) == UNKNOWN ? 0 : sign;
+  }
+
   /** The sign at time 0. */
   public int signAtStart() {
     return coefficientSign(0);

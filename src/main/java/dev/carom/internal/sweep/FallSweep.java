@@ -136,6 +136,9 @@ public final class FallSweep {
       region = f.search().exactly().regionAt(t);
     }
     int contact = contact(region, f.side(t));
+    if (contact == Contact.DOUBT && region == Gaps.BESIDE && t == 0) {
+      contact = contact(region, f.search().exactly().sideAtStart());
+    }
     if (contact == Contact.DOUBT) {
       ExactParabola exact = exact(f);
       RealRoot root = exact.at(t);

@@ -61,6 +61,9 @@ final class GapSearch {
    */
   private static final double FIRST_PART = 1.0625;
 
+  /** Of half an ulp, to find whether a contact is before a border. More cost time only. */
+  private static final int HALVINGS = 64;
+
   private static final int REGIONS = 3;
 
   /** Which question: the first contact of all, or after a time of none; an entry; a return. */
@@ -230,18 +233,91 @@ final class GapSearch {
 
   /** The region at a contact that is rounded to t, or {@link Gaps#UNKNOWN}. */
   int regionAt(double t) {
+    return t == 0 ? regionAtStart() : regionNear(t);
+  }
+
+  private int regionAtStart() {
+    return isNow() ? region(fromStart.signAtStart(), fromEnd.signAtStart()) : Gaps.UNKNOWN;
+  }
+
+  /** The side of a line that is hit at time 0, by the height just before; 0 if not known. */
+  int sideAtStart() {
+    return isNow() ? gaps.height().signBeforeStart() : 0;
+  }
+
+  /** Whether the contact is at time 0 itself: the gap is not above 0 there, and falls. */
+  private boolean isNow() {
+    int after = region(fromStart.signAfterStart(), fromEnd.signAfterStart());
+    return after != Gaps.UNKNOWN
+        && gap(after).signAtStart() <= 0
+        && rate(after).signAfterStart() == -1;
+  }
+
+  private int regionNear(double t) {
     int near = region(fromStart.signNear(t), fromEnd.signNear(t));
     if (near != Gaps.UNKNOWN) {
       return near;
     }
     int exact = region(fromStart.signAt(t, 0), fromEnd.signAt(t, 0));
-    return exact != Gaps.UNKNOWN && gap(exact).fallsAt(t) ? exact : Gaps.UNKNOWN;
+    if (exact != Gaps.UNKNOWN && gap(exact).fallsAt(t)) {
+      return exact;
+    }
+    int start = signAtContact(fromStart, Gaps.BEFORE, t);
+    return region(start, start == 1 ? signAtContact(fromEnd, Gaps.BEYOND, t) : UNKNOWN);
+  }
+
+  /**
+   * The sign of a projection at a contact that is rounded to t. If it changes there, at a border,
+   * the gaps of both regions have one sign at the border; and both fall: so the contact is later if
+   * that is above 0, and earlier if it is below.
+   */
+  private int signAtContact(GapPolynomial projection, int region, double t) {
+    int near = projection.signNear(t);
+    if (near != UNKNOWN || projection.derivative().signNear(t) == UNKNOWN) {
+      return near;
+    }
+    double width = 0.5 * Math.ulp(t);
+    int before = projection.signAt(t, -width);
+    int after = projection.signAt(t, width);
+    if (before == after || !fallsNear(Gaps.BESIDE, t) || !fallsNear(region, t)) {
+      return before == after ? before : UNKNOWN;
+    }
+    return switch (signAtBorder(gap(region), projection, before, t, width)) {
+      case 1 -> after;
+      case -1 -> before;
+      default -> UNKNOWN;
+    };
+  }
+
+  /** Whether a gap that counts as it is falls at all times that are rounded to t. */
+  private boolean fallsNear(int region, double t) {
+    return region != counted && gap(region).derivative().signNear(t) == -1;
+  }
+
+  /** The sign of a gap where a projection changes its sign; UNKNOWN if halvings do not tell. */
+  private static int signAtBorder(
+      GapPolynomial gap, GapPolynomial projection, int before, double t, double width) {
+    double first = -width;
+    double last = width;
+    for (int i = 0; i < HALVINGS; i++) {
+      int sign = gap.signAt(t, first);
+      if (sign != 0 && sign == gap.signAt(t, last)) {
+        return sign;
+      }
+      double middle = 0.5 * (first + last);
+      if (projection.signAt(t, middle) == before) {
+        first = middle;
+      } else {
+        last = middle;
+      }
+    }
+    return UNKNOWN;
   }
 
   /** The same for the return to a side, from the height above that at the start. */
   int regionAt(double t, GapPolynomial rise) {
     Arrays.fill(made, rise);
-    return regionAt(t);
+    return regionNear(t);
   }
 
   /** The region, by the signs of the projections from the start and from the end of a line. */
@@ -253,7 +329,7 @@ final class GapSearch {
 
   /** Searches from a time on, at first an interval of a given width or less. */
   private double search(double start, double first, double reach, double T) {
-    double end = T > 0 ? Math.min(T, reach) : reach;
+    double end = T > GapRoot.EARLIEST ? Math.min(T, reach) : reach;
     if (!(end < NEVER)) {
       return DOUBT;
     }

@@ -85,7 +85,10 @@ final class TurningSweep {
    */
   private static double searched(Fall f, int question, double of, double from, double T) {
     PrecisionCounter.SEARCHED_PARABOLAS.add();
-    double reach = T > 0 ? f.turnWindow().to : PART / (Math.abs(f.turn.q1) + Math.abs(f.turn.q2));
+    double reach =
+        T > GapRoot.EARLIEST
+            ? f.turnWindow().to
+            : PART / (Math.abs(f.turn.q1) + Math.abs(f.turn.q2));
     boolean isPoint = f.r + f.radius == 0 && (f.isLine || question != GapSearch.RETURN);
     double time = f.search().roughly().time(question, of, from, reach, T);
     boolean isOpen = Double.isNaN(time) && (!isPoint || question == GapSearch.RISE);

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 package dev.carom.internal.sweep;
 
+import dev.carom.internal.exact.ExactParabola;
 import dev.carom.internal.exact.RealRoot;
 
 /** Questions about things that turn, with the numbers of {@code TurningQuery} in one call. */
@@ -41,6 +42,13 @@ public final class TurningFalls {
       case 1 -> FallReturn.exact(fall).time(n[17]);
       default -> FallSweep.exact(fall).timeAfter(n[16], n[17]);
     };
+  }
+
+  /** The contact at an exact time, as {@link #answer} gives it. */
+  static int exactContact(RealRoot time, double... n) {
+    ExactParabola exact = FallSweep.exact(fall(n));
+    int now = time.nearest() == 0 ? Contact.NOW : 0;
+    return FallSweep.contact(exact.region(time), exact.side(time)) | now;
   }
 
   /** The exact time of an impact. */

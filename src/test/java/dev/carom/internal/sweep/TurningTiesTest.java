@@ -1,0 +1,97 @@
+// SPDX-License-Identifier: Apache-2.0
+package dev.carom.internal.sweep;
+
+import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.within;
+
+import dev.carom.internal.exact.ExactBudget;
+import dev.carom.internal.exact.PrecisionCounter;
+import dev.carom.internal.exact.RealRoot;
+import java.util.Arrays;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.condition.EnabledIfSystemProperty;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.ValueSource;
+
+/**
+ * Ties with what turns, from scenes of small whole numbers: most are answered without algebraic
+ * numbers, and those are not slow.
+ */
+@EnabledIfSystemProperty(named = "dev.carom.rungs", matches = "true")
+class TurningTiesTest {
+  private static final int FIRST = 0;
+  private static final int RETURN = 1;
+
+  /** A ball above an end, and one on the line with its centre, when a flipper starts to turn. */
+  @ParameterizedTest
+  @ValueSource(
+      strings = {
+        "-5.999999999999998 1.999999999999999 -5.999999999999999 -3.0000000000000027 0 -6 2 1"
+            + " -1 0 0 -1 1 1 -0.2928932188134524 -0.7071067811865476 0 1",
+        "-6.999999999999998 -4.999999999999999 -6.999999999999999 -6.999999999999999 0 -7 -5 1"
+            + " 0 0 0 -1 -3 3 -0.1464466094067262 -0.3535533905932738 0 2",
+        "3 0.9999999999999994 -3 1.0000000000000002 0 1 1 1"
+            + " 0 0 0 -1 -1 1 -0.0732233047033631 0.1767766952966369 0 4",
+        "-1 3 1.9999999999999996 9 0 0.5 6 1"
+            + " 0 0 0 0 2 2 -0.003901166385335474 -0.06233736669261385 0 4"
+      })
+  void aTieAtTheStartIsDecidedBySumsWithoutRounding(String numbers) {
+    decidedEarly(FIRST, 0, numbers);
+  }
+
+  /** The line comes to touch a ball near an end: the corner of its region is ulps away. */
+  @ParameterizedTest
+  @ValueSource(
+      strings = {
+        "-7 7 -10.973617425066752 6.541344836281255 0 -11 8 1 0 0 0 0"
+            + " -7 7 -0.10818188209900148 -0.22386357168553422 0 4",
+        "-5.936631942137537 -5.103170164181682 -2.9372786889111198 -5.040880017608523 0 -3 -4 1"
+            + " 0 0 0 0 -1 -2 -0.00302997203510331 -0.041499781456702856 0 4",
+        "8 -1 13.977440078262468 -1.5198173821464314 0 14 0 1 0 0 0 0"
+            + " 8 -1 -0.07929177712661999 0.1701575855322229 0 4"
+      })
+  void aContactBesideACornerIsDecidedBySumsWithoutRounding(String numbers) {
+    decidedEarly(FIRST, 0.25, numbers);
+  }
+
+  /** A search asks a bit beyond the end of its window: here beyond 0. */
+  @ParameterizedTest
+  @ValueSource(
+      strings = {
+        "2.8598 -5.6949 4.4589 -10.8372 0 3.4623 -11 1 -7.2 -0.001 0 -1 0 1 0.01425 -0.2754 0"
+            + " 4.9e-324",
+        "-1.7031 -9.6987 -1.7031 -9.6987 2 1 -11 1 6.96 -0.018 0 -1 4 -4 0.0256 0.41262 0"
+            + " 4.9e-324"
+      })
+  void aReturnInAWindowOfNoLengthIsDecidedByRoundedNumbers(String numbers) {
+    decidedEarly(RETURN, Double.POSITIVE_INFINITY, numbers);
+  }
+
+  private static void decidedEarly(int kind, double time, String numbers) {
+    long before = PrecisionCounter.EXACT_PARABOLAS.count();
+    double[] said = TurningFalls.answer(kind, numbers(numbers));
+    assertThat(PrecisionCounter.EXACT_PARABOLAS.count()).isEqualTo(before);
+    if (kind == FIRST) {
+      assertThat(said[0]).isCloseTo(time, within(1e-12));
+      RealRoot root = TurningFalls.root(said[0], numbers(numbers));
+      assertThat(said[1]).isEqualTo(TurningFalls.exactContact(root, numbers(numbers)));
+    } else {
+      assertThat(said[0]).isEqualTo(TurningFalls.exactTime(kind, numbers(numbers))).isEqualTo(time);
+    }
+  }
+
+  @Test
+  void algebraicNumbersAreLookedForNoFurtherThanTheContact() {
+    double[] n =
+        numbers(
+            "-5.999999999999998 1.999999999999999 -5.999999999999999 -3.0000000000000027 0 -6 2 1"
+                + " -1 0 0 -1 1 1 -0.2928932188134524 -0.7071067811865476 0 1");
+    long before = ExactBudget.ofThread().bits();
+    TurningFalls.root(0, n);
+    assertThat(ExactBudget.ofThread().impactsSince(before)).isLessThan(2_000); // 12,700 for ever
+  }
+
+  private static double[] numbers(String numbers) {
+    return Arrays.stream(numbers.split(" ", -1)).mapToDouble(Double::parseDouble).toArray();
+  }
+}
