@@ -59,7 +59,7 @@ final class EditSession {
     random = new Random(seed);
     masks = masked ? new Random(seed + 2) : null;
     motion = moving ? new Random(seed + 1) : null;
-    turning = moving && seed % 9 == 0 ? new Random(seed + 4) : null; // ties are slow there
+    turning = moving && seed % 3 == 0 ? new Random(seed + 4) : null;
     falling = falls ? new Random(seed + 3) : null;
     this.length = length;
     this.mostImpacts = mostImpacts;
@@ -229,7 +229,7 @@ final class EditSession {
   private void setObstacleInMotion() {
     Kind kind = motion.nextBoolean() ? Kind.LINE : Kind.PEG;
     int id = some(kind);
-    if (id >= 0 && turning != null && turning.nextInt(3) == 0) {
+    if (id >= 0 && turning != null && turning.nextBoolean()) {
       turn(kind, id);
     } else if (id >= 0 && motion.nextInt(5) == 0) {
       double x = numbers.x();

@@ -40,7 +40,13 @@ public final class FallQuestions {
     falls.sensed = sensed;
     falls.sensedCode = code;
     falls.chooseAny(code);
-    return falls.time(code, NEVER, NEVER);
+    return falls.time(code, NEVER, end(m, code));
+  }
+
+  /** A time after which no contact counts: for ever, what turns is far dearer to ask about. */
+  private double end(MovingCircle m, int code) {
+    double arrival = obstacles.arrival(code) - m.t - m.tl;
+    return obstacles.turns(code) ? FallTimes.asked(Math.max(0, arrival)) : NEVER;
   }
 
   /** The part of the obstacle that is touched at the time of its contact. */
