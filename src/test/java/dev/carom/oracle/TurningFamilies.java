@@ -345,9 +345,7 @@ public final class TurningFamilies {
     double to = from + d.whole(1, 32) / 4.0;
     double[] n = {from, 0, to, 0, 0, x, y, r, vx, vy, gx, gy, 0, 0, q1, q2, -1, d.in(0, 2)};
     d.nudgeOne(n, 0.1);
-    n[7] = Math.abs(n[7]);
-    n[4] = 0;
-    return TurningQuery.of(Kind.FIRST, n);
+    return possible(Kind.FIRST, true, n);
   }
 
   private static TurningQuery lattice(Draw d) {
@@ -413,9 +411,16 @@ public final class TurningFamilies {
       d.pick(1, FOREVER)
     };
     d.nudgeOne(n, 0.5);
-    n[4] = Math.abs(n[4]);
+    return possible(Kind.FIRST, !isPeg, n);
+  }
+
+  /** The query of nudged numbers: no radius is below 0, a line has none, and a peg one centre. */
+  private static TurningQuery possible(Kind kind, boolean isLine, double... n) {
+    n[2] = isLine ? n[2] : n[0];
+    n[3] = isLine ? n[3] : n[1];
+    n[4] = isLine ? 0 : Math.abs(n[4]);
     n[7] = Math.abs(n[7]);
-    return TurningQuery.of(Kind.FIRST, n);
+    return TurningQuery.of(kind, n);
   }
 
   private static TurningQuery windowEnd(Draw d) {
@@ -462,9 +467,7 @@ public final class TurningFamilies {
     n[9] = next.y();
     n[17] = d.chance(0.1) ? FOREVER : Math.max(0, query.end() - t);
     d.nudgeOne(n, 0.2);
-    n[4] = query.isLine() ? 0 : Math.abs(n[4]);
-    n[7] = Math.abs(n[7]);
-    return TurningQuery.of(Kind.RETURN, n);
+    return possible(Kind.RETURN, query.isLine(), n);
   }
 
   /** After one of the times around the entries; in half of the queries it comes back. */

@@ -35,6 +35,12 @@ public record TurningQuery(
     double end)
     implements Question {
 
+  public TurningQuery {
+    if (radius != 0 && (ax != bx || ay != by)) {
+      throw new IllegalArgumentException("a line has no radius: " + radius);
+    }
+  }
+
   /** The first contact, the next one with what is touched at the start, or a later entry. */
   public enum Kind {
     FIRST,
