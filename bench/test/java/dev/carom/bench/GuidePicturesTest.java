@@ -33,6 +33,7 @@ class GuidePicturesTest {
       """
       <svg xmlns="http://www.w3.org/2000/svg" viewBox="0 0 640 215" width="640" height="215" font-family="Helvetica, Arial, DejaVu Sans, sans-serif" font-size="14" text-anchor="middle">
         <title>An impact needs both: the circle touches or overlaps the line, and comes nearer to it</title>
+        <defs><marker id="head" viewBox="0 0 10 10" refX="8" refY="5" markerWidth="5" markerHeight="5" orient="auto"><path d="M0 0L10 5L0 10z" fill="#D55E00"/></marker></defs>
         <rect width="640" height="215" rx="6" fill="#FFFFFF"/>
       """;
 
@@ -61,7 +62,7 @@ class GuidePicturesTest {
 
   private static Scene heap() {
     SceneBuilder scene = Scene.builder().bounds(0, 0, 400, 240).gravity(0, -0.15);
-    scene.line(0, 60, 110, 0).line(290, 0, 400, 60).peg(200, 0, 30);
+    scene.line(0, 100, 200, 0).line(200, 0, 400, 100);
     for (int i = 0; i < 18; i++) {
       scene.circle(70 + 52 * (i % 6) + 3 * (i / 6), 120 + 40 * (i / 6), 15, 0, 0).restitution(0.6);
     }
@@ -96,12 +97,12 @@ class GuidePicturesTest {
     return """
         <svg xmlns="http://www.w3.org/2000/svg" viewBox="0 0 560 260" width="560" height="260" font-family="Helvetica, Arial, DejaVu Sans, sans-serif" font-size="15">
           <title>A sweep: a circle at time 0, and at its impact with a line</title>
+          <defs><marker id="normal" viewBox="0 0 10 10" refX="8" refY="5" markerWidth="5" markerHeight="5" orient="auto"><path d="M0 0L10 5L0 10z" fill="#D55E00"/></marker></defs>
           <rect width="560" height="260" rx="6" fill="#FFFFFF"/>
           <path d="%s" stroke="#22262B" stroke-width="3" stroke-linecap="round"/>
           <path d="%s" stroke="#0072B2" stroke-width="1.5" stroke-dasharray="5 4"/>
           <g fill="#56B4E9" fill-opacity="0.25" stroke="#0072B2" stroke-width="1.5"><circle %s r="40" stroke-dasharray="5 4"/><circle %s r="40"/></g>
-          <path d="%s" stroke="#D55E00" stroke-width="2.5"/>
-          <circle %s r="5" fill="#D55E00"/>
+          <path d="%s" stroke="#D55E00" stroke-width="2.5" marker-end="url(#normal)"/>
           <circle %s r="4.5" fill="#D55E00"/>
           <g fill="#22262B"><text x="%.0f" y="%.0f" text-anchor="middle">time 0</text><text x="%.0f" y="%.0f">time %.3f</text></g>
           <g fill="#D55E00"><text x="%.0f" y="%.0f">normal</text><text x="%.0f" y="%.0f">point</text></g>
@@ -113,7 +114,6 @@ class GuidePicturesTest {
             at(from),
             at(to),
             path(to, tip),
-            at(tip),
             at(hit.point()),
             from.x(),
             260 - from.y() + 60,
@@ -148,14 +148,13 @@ class GuidePicturesTest {
     return """
           <path d="%s" stroke="#22262B" stroke-width="3" stroke-linecap="round"/>
           <circle %s r="30" fill="#56B4E9" fill-opacity="0.35" stroke="#0072B2" stroke-width="1.5"/>
-          <path d="%s" stroke="#D55E00" stroke-width="2.5"/><circle %s r="4.5" fill="#D55E00"/>
+          <path d="%s" stroke="#D55E00" stroke-width="2.5" marker-end="url(#head)"/>
           <text x="%.0f" y="155">%s</text><text x="%.0f" y="174">%s</text><text x="%.0f" y="200" font-weight="bold" fill="%s">%s</text>
         """
         .formatted(
             path(new Vec2(line.ax(), line.ay()), new Vec2(line.bx(), line.by())),
             at(from),
             path(from, tip),
-            at(tip),
             x,
             how,
             x,

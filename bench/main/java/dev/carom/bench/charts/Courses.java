@@ -5,6 +5,7 @@ import dev.carom.ImpactLog;
 import dev.carom.Kind;
 import dev.carom.Scene;
 import dev.carom.Timeline;
+import dev.carom.Vec2;
 import dev.carom.World;
 import java.util.ArrayList;
 import java.util.List;
@@ -163,6 +164,19 @@ public final class Courses {
 
   OptionalInt lost(int circle) {
     return lost.get(circle);
+  }
+
+  /** Where a circle is at a time. */
+  Vec2 at(int circle, double time) {
+    return new Vec2(at(xs.get(circle), time), at(ys.get(circle), time));
+  }
+
+  private static double at(List<Key> keys, double time) {
+    Key last = keys.get(0);
+    for (Key key : keys) {
+      last = key.t <= time ? key : last;
+    }
+    return last.at(time, Double.isNaN(last.a) ? 0 : last.a);
   }
 
   /** How many are lost at the end of a frame. */

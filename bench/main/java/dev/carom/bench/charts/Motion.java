@@ -43,10 +43,10 @@ public final class Motion {
       <style>
       .paper{fill:#faf9f5}.floor{fill:#fff}text{fill:#22262b;font:bold 22px DejaVu Sans,Verdana,sans-serif}
       .ink{fill:none;stroke:#22262b;stroke-width:2;stroke-linecap:round;vector-effect:non-scaling-stroke}
-      .solid{fill:#22262b}.bad{fill:#d55e00}
-      .c{fill-opacity:.6;stroke:#0072b2;stroke-width:1.25}.c circle{vector-effect:non-scaling-stroke}
+      .solid{fill:#22262b}.bad,.gone{fill:#d55e00}
+      .c{fill-opacity:.8;stroke:#0072b2;stroke-width:1.25}.c circle{vector-effect:non-scaling-stroke}
       @media(prefers-color-scheme:dark){.paper{fill:#1b1d21}.floor{fill:#24272c}text{fill:#e8e6e1}
-      .ink{stroke:#e8e6e1}.solid{fill:#e8e6e1}.bad{fill:#f2803a}.c{stroke:#56b4e9}}
+      .ink{stroke:#e8e6e1}.solid{fill:#e8e6e1}.bad,.gone{fill:#f2803a}.c{stroke:#56b4e9}}
       </style>
       """;
 
@@ -120,26 +120,41 @@ public final class Motion {
     svg.append("<title>").append(text(title)).append("</title>\n").append(STYLE);
     svg.append("<rect class='paper' width='100%' height='100%'/>\n");
     for (int i = 0; i < sides.size(); i++) {
-      double left = GAP + i * (WIDTH + GAP);
-      if (named) {
-        head(sides.get(i), left);
-      }
-      put(
-          "<svg x='%.0f' y='%.0f' width='%.0f' height='%.0f' viewBox='%s %s %s %s'><g"
-              + " transform='scale(1,-1)'>%n",
-          left,
-          head,
-          WIDTH,
-          height,
-          number(extent.getX()),
-          number(-extent.getMaxY()),
-          number(extent.getWidth()),
-          number(extent.getHeight()));
+      place(i, head);
       obstacles(sides.get(i).courses.duration());
       circles(sides.get(i).courses);
-      svg.append("</g></svg>\n");
+      svg.append("</g>\n");
+    }
+    // A frame around all sides. An svg element for each would clip, but has a clock of its own.
+    put("<path class='paper' fill-rule='evenodd' d='M0,0H%.0fV%.0fH0Z", width, head + height + GAP);
+    for (int i = 0; i < sides.size(); i++) {
+      put("M%.0f,%.0fh%.0fv%.1fh-%.0fz", left(i), head, WIDTH, height, WIDTH);
+    }
+    svg.append("'/>\n");
+    for (int i = 0; named && i < sides.size(); i++) {
+      head(sides.get(i), left(i));
+      place(i, head);
+      exits(sides.get(i).courses);
+      svg.append("</g>\n");
     }
     return svg.append("</svg>\n").toString();
+  }
+
+  private static double left(int side) {
+    return GAP + side * (WIDTH + GAP);
+  }
+
+  /** Begins a group whose coordinates are those of the scene. */
+  private void place(int side, double top) {
+    double scale = WIDTH / extent.getWidth();
+    put(
+        "<g transform='translate(%.0f,%.0f) scale(%s,-%s) translate(%s,%s)'>%n",
+        left(side),
+        top,
+        plain(scale, 6),
+        plain(scale, 6),
+        number(-extent.getX()),
+        number(-extent.getMaxY()));
   }
 
   private void put(String format, Object... values) {
@@ -256,6 +271,38 @@ public final class Motion {
       svg.append("</circle>\n");
     }
     svg.append("</g>\n");
+  }
+
+  /** What left the picture stays at its edge, so that all that are lost can be counted. */
+  private void exits(Courses courses) {
+    for (int i = 0; i < courses.circles(); i++) {
+      if (courses.lost(i).isPresent()) {
+        exit(courses, i, ((Circle) scene.shape(Kind.CIRCLE, i)).radius());
+      }
+    }
+  }
+
+  private void exit(Courses courses, int i, double radius) {
+    int end = (int) courses.duration();
+    int out = end + 1;
+    while (out > 0 && isOutside(courses.at(i, out - 1), radius)) {
+      out--;
+    }
+    if (out <= end) {
+      Vec2 at = courses.at(i, out);
+      double x = Math.max(extent.getMinX(), Math.min(extent.getMaxX(), at.x()));
+      double y = Math.max(extent.getMinY(), Math.min(extent.getMaxY(), at.y()));
+      put("<circle class='gone' cx='%s' cy='%s' r='%s'>", number(x), number(y), number(radius));
+      discrete("opacity", "0;1", "0;" + share(out / courses.duration()));
+      svg.append("</circle>\n");
+    }
+  }
+
+  private boolean isOutside(Vec2 at, double radius) {
+    return at.x() < extent.getMinX() - radius
+        || at.x() > extent.getMaxX() + radius
+        || at.y() < extent.getMinY() - radius
+        || at.y() > extent.getMaxY() + radius;
   }
 
   private void flight(String attribute, List<Courses.Key> keys) {

@@ -33,7 +33,8 @@ class ViewCommandTest {
 
     assertThat(run).isEqualTo(new Cli(0, "", ""));
     Element svg = parse(Files.readString(file));
-    assertThat(svg.getElementsByTagName("svg").getLength()).isEqualTo(2);
+    // Both sides share one clock: an svg element within another has its own in some browsers.
+    assertThat(svg.getElementsByTagName("svg").getLength()).isZero();
     assertThat(texts(svg))
         .containsExactly(
             "Carom",
