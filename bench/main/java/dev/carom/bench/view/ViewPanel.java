@@ -267,18 +267,23 @@ public final class ViewPanel extends JPanel {
 
   /** Offers scenes in which methods fail. */
   private void addDuels() {
+    if (!rivals.isEnabled()) {
+      return;
+    }
     duels.add(new JLabel("Where others fail"));
     for (Preset preset : Preset.values()) {
-      JButton button = new JButton(preset.toString());
-      button.setToolTipText(preset.about() + " (beside " + Rival.BOX2D.title() + ")");
+      String number = String.valueOf(preset.ordinal() + 1);
+      String tip = preset.about() + ", beside " + Rival.BOX2D.title();
+      KeyAction action =
+          key("shift " + number, "Shift+" + number, preset.toString(), tip, () -> duel(preset));
+      JButton button = new JButton(action.name());
+      button.setToolTipText(action.hint());
       button.setFocusable(false);
-      button.addActionListener(event -> duel(preset));
+      button.addActionListener(event -> action.action().run());
       duels.add(button);
     }
     duels.addComponentListener(new Rewrap(this));
-    if (rivals.isEnabled()) {
-      foot.add(duels, BorderLayout.NORTH);
-    }
+    foot.add(duels, BorderLayout.NORTH);
   }
 
   /** Plays a scene in which methods fail, beside one of them. */
