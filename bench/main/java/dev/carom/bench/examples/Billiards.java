@@ -31,7 +31,7 @@ public final class Billiards implements Example {
   private static final double LENGTH = 2 * WIDTH;
   private static final double RADIUS = 0.028575;
   private static final int CUE = 0;
-  private static final double POCKET = 0.03; // a ball is in when its rim comes to this disk
+  private static final double POCKET = 0.045; // a ball is in when its rim comes to this disk
   private static final double SLOWING = 0.4; // off the speed, in metres a second each second
   private static final double HARDEST = 8; // metres a second, for a drag of a metre
   private static final Color[] COLORS = {Style.ORANGE, Style.BLUE, Style.VERMILION, Style.YELLOW};
