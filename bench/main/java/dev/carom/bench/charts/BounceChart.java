@@ -37,17 +37,15 @@ public final class BounceChart {
   private void draw(Graphics2D g) {
     DecadeAxis bounces =
         DecadeAxis.covering(
-            curves.stream().flatMapToDouble(c -> Arrays.stream(c.x())), BounceChart::power);
-    bounces.setLabel("bounces");
-    DecadeAxis errors =
-        CurvePanel.heights(curves, "energy error, as a part of the energy", BounceChart::power);
+            curves.stream().flatMapToDouble(c -> Arrays.stream(c.x()).map(n -> Math.max(n, 1.25))),
+            ScaleChart::count);
+    bounces.setLabel("number of bounces");
+    DecadeAxis errors = CurvePanel.heights(curves, "error of the energy", BounceChart::percent);
     Rectangle2D where = new Rectangle2D.Double(2, 0, Picture.PANEL - 4, HEIGHT - 4);
     CurvePanel.draw(g, where, NAMES, bounces, errors, marks, curves);
   }
 
-  private static String power(double value) {
-    return Math.abs(Math.log10(value)) < 2.5
-        ? Durations.number(value, 1)
-        : "1e" + Math.round(Math.log10(value));
+  private static String percent(double share) {
+    return Durations.number(100 * share, 2) + " %";
   }
 }

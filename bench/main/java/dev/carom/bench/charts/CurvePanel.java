@@ -124,7 +124,7 @@ final class CurvePanel {
     for (double[] point : points) {
       if (point[0] >= next && !Double.isNaN(point[1])) {
         String text = text(curve, point[0]);
-        Hover.over(g, text, () -> marks.draw(g, curve.method(), point[0], point[1], false));
+        Hover.over(g, text, () -> marks.draw(g, curve.method(), point[0], point[1]));
         next = point[0] + SPACING;
       }
     }

@@ -63,7 +63,8 @@ public final class FailureMapChart {
    * @param marks how methods are named
    * @param x the lower side
    * @param y the left side
-   * @param legend the names of the classes, then that of the dark corner
+   * @param legend the names of the classes, then that of the dark corner; empty for one that does
+   *     not occur
    * @param limited for each cell whether it has the dark corner
    * @param panels the methods
    */
@@ -124,6 +125,9 @@ public final class FailureMapChart {
     double left = 4;
     g.setFont(Style.font(11));
     for (int i = 0; i < legend.size(); i++) {
+      if (legend.get(i).isEmpty()) {
+        continue;
+      }
       double text = g.getFontMetrics().stringWidth(legend.get(i));
       if (left > 4 && left + 18 + text > width - RIGHT) {
         left = 4;

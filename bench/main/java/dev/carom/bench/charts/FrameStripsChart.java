@@ -95,7 +95,7 @@ public final class FrameStripsChart {
       name(g, strip, (top + bottom) / 2);
     }
     double x = axes.x(budget);
-    g.setColor(Style.VERMILION);
+    g.setColor(Style.QUIET);
     g.setStroke(Style.dashes(Style.FIRM, 9, 5));
     g.draw(new Line2D.Double(x, axes.area().getMinY(), x, axes.area().getMaxY()));
   }
@@ -116,10 +116,9 @@ public final class FrameStripsChart {
     g.draw(new Line2D.Double(axes.area().getMinX(), bottom, axes.area().getMaxX(), bottom));
     Path2D dots = new Path2D.Double();
     double step = (bottom - top - 6) / strip.nanos.length;
-    double left = axes.area().getMinX();
     Set<Point2D> drawn = new HashSet<>();
     for (int i = 0; i < strip.nanos.length; i++) {
-      double x = Math.rint(strip.nanos[i] > 0 ? Math.max(left, axes.x(strip.nanos[i])) : left);
+      double x = Math.rint(x(axes, strip.nanos[i]));
       double y = Math.rint(top + 3 + step * (i + 0.5));
       if (drawn.add(new Point2D.Double(x, y))) { // many frames share a pixel
         dots.moveTo(x, y);
@@ -129,8 +128,13 @@ public final class FrameStripsChart {
     g.setColor(Style.veil(marks.of(strip.method()).color(), 0.6));
     g.setStroke(Style.line(2));
     g.draw(dots);
-    level(g, axes.x(strip.rank(0.5)), top, bottom, 2 * Style.THIN);
-    level(g, axes.x(strip.rank(1)), top, bottom, Style.THIN);
+    level(g, x(axes, strip.rank(0.5)), top, bottom, 2 * Style.THIN);
+    level(g, x(axes, strip.rank(1)), top, bottom, Style.THIN);
+  }
+
+  private static double x(Axes axes, double nanos) {
+    double left = axes.area().getMinX();
+    return nanos > 0 ? Math.max(left, axes.x(nanos)) : left;
   }
 
   private static void level(Graphics2D g, double x, double top, double bottom, double width) {
@@ -140,12 +144,12 @@ public final class FrameStripsChart {
   }
 
   private void name(Graphics2D g, Strip strip, double y) {
-    marks.draw(g, strip.method, 10, y, false);
+    marks.draw(g, strip.method, 10, y);
     g.setColor(Style.INK);
     g.setFont(Style.bold(11));
     String name = marks.name(strip.method);
-    g.drawString(name, 20f, (float) y + 4);
-    double right = 20 + g.getFontMetrics().stringWidth(name + " ");
+    g.drawString(name, 22f, (float) y + 4);
+    double right = 22 + g.getFontMetrics().stringWidth(name + " ");
     g.setFont(Style.font(11));
     if (right + g.getFontMetrics().stringWidth(strip.knob) < NAMES) {
       g.setColor(Style.QUIET);

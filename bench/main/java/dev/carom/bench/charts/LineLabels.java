@@ -67,8 +67,8 @@ final class LineLabels {
     g.draw(new Line2D.Double(x + 2, label.y(), x + LEADER, y));
     float left = (float) (x + LEADER + 5);
     if (marks != null) {
-      marks.draw(g, label.text(), left + 4, y, false);
-      left += 13;
+      marks.draw(g, label.text(), left + 4, y);
+      left += 16;
       g.setFont(Style.bold(11));
       g.setColor(Style.INK);
       String name = marks.name(label.text());

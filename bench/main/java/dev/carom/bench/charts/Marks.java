@@ -23,7 +23,7 @@ public final class Marks {
   private static final double RADIUS = 5;
 
   /** Ours is found first. */
-  private static final double OUR_RADIUS = 6.5;
+  private static final double OUR_RADIUS = 7;
 
   private static final List<Color> COLORS =
       List.of(
@@ -117,17 +117,16 @@ public final class Marks {
     return marks.getOrDefault(method, new Mark(Style.QUIET, circle(RADIUS), true));
   }
 
-  /** Draws a dot: filled, or only its outline. */
-  void draw(Graphics2D g, String method, double x, double y, boolean hollow) {
+  /** The colour of a method. */
+  public Color color(String method) {
+    return of(method).color;
+  }
+
+  /** Draws a dot. */
+  void draw(Graphics2D g, String method, double x, double y) {
     Mark mark = of(method);
-    Shape shape = AffineTransform.getTranslateInstance(x, y).createTransformedShape(mark.shape);
-    g.setColor(hollow ? Style.FLOOR : mark.color);
-    g.fill(shape);
-    if (hollow) {
-      g.setColor(mark.color);
-      g.setStroke(Style.line(Style.FIRM));
-      g.draw(shape);
-    }
+    g.setColor(mark.color);
+    g.fill(AffineTransform.getTranslateInstance(x, y).createTransformedShape(mark.shape));
   }
 
   /** Draws the sign of a failure: a ring with a cross in it. */

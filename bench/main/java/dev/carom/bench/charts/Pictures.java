@@ -4,6 +4,7 @@ package dev.carom.bench.charts;
 import dev.carom.Kind;
 import dev.carom.Scene;
 import dev.carom.World;
+import dev.carom.bench.charts.FrameStripsChart.Strip;
 import dev.carom.bench.results.WholeFile;
 import java.io.IOException;
 import java.nio.charset.StandardCharsets;
@@ -44,12 +45,44 @@ public final class Pictures {
     if (frames < 0) {
       throw new IllegalArgumentException("frames is " + frames + ": expected at least 0");
     }
-    FrameTimeChart chart = new FrameTimeChart(frameNanos, budgetMillis);
+    check(frameNanos, budgetMillis);
     Style.requireFonts();
     Pictures pictures = new Pictures(dir);
     pictures.createDirectory();
     pictures.scene(scene, frames);
-    pictures.put("frame-times", chart.picture());
+    pictures.put("frame-times", frameTimes(frameNanos, 1e6 * budgetMillis));
+  }
+
+  private static void check(double[] frameNanos, double budgetMillis) {
+    if (frameNanos.length == 0) {
+      throw new IllegalArgumentException("frameNanos is empty: expected at least one frame");
+    }
+    for (int i = 0; i < frameNanos.length; i++) {
+      if (!(frameNanos[i] >= 0 && frameNanos[i] < Double.POSITIVE_INFINITY)) {
+        throw new IllegalArgumentException(
+            "frameNanos[" + i + "] is " + frameNanos[i] + ": expected a finite time, at least 0");
+      }
+    }
+    if (!(budgetMillis > 0 && budgetMillis < Double.POSITIVE_INFINITY)) {
+      throw new IllegalArgumentException(
+          "budgetMillis is " + budgetMillis + ": expected a finite time greater than 0");
+    }
+  }
+
+  private static Picture frameTimes(double[] nanos, double budget) {
+    Strip strip = new Strip("carom", "", nanos);
+    String title =
+        "Carom's slowest of %s frames takes %s of the %s allowed"
+            .formatted(
+                Durations.number(nanos.length, 9),
+                Durations.text(strip.rank(1), 3),
+                Durations.text(budget, 4));
+    Marks marks = new Marks(List.of("carom"), method -> "Carom");
+    return Sheet.of(
+        title,
+        "Each dot is one frame of a replay. Thick line: median. Dashed: what is allowed.",
+        List.of(
+            new Panel("", new FrameStripsChart(title, marks, List.of(strip), budget).picture())));
   }
 
   private void scene(Scene scene, int frames) throws IOException {

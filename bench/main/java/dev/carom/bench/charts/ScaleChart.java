@@ -10,8 +10,8 @@ import java.util.List;
 import java.util.Map;
 
 /**
- * Times against the number of circles, both axes logarithmic, a panel for each kind of time. Where
- * a method has no time, a crossed ring at the limit says that it took longer.
+ * The time of a frame against the number of circles, both axes logarithmic. Where a method has no
+ * time, a crossed ring at the limit says that it took longer.
  */
 public final class ScaleChart {
 
@@ -21,9 +21,6 @@ public final class ScaleChart {
 
   /** The time of a frame at 60 frames a second, in nanoseconds. */
   private static final double BUDGET = 1e9 / 60;
-
-  /** How the titles of panels end whose times are those of a frame. */
-  public static final String FRAME = "a frame";
 
   private final String description;
   private final Marks marks;
@@ -36,8 +33,7 @@ public final class ScaleChart {
    * @param description what it shows, for those who cannot see it
    * @param marks how methods are drawn
    * @param panels the lines of each panel, by its title; NaN where a frame took too long
-   * @param limit the time of a frame that is too long, in nanoseconds: where rings stand, in the
-   *     panels whose title ends in {@link #FRAME}
+   * @param limit the time of a frame that is too long, in nanoseconds: where rings stand
    */
   public ScaleChart(
       String description, Marks marks, Map<String, List<Curve>> panels, double limit) {
@@ -51,32 +47,29 @@ public final class ScaleChart {
   public List<Panel> panels() {
     return panels.entrySet().stream()
         .map(
-            panel -> {
-              boolean limited = panel.getKey().endsWith(FRAME);
-              return new Panel(
-                  panel.getKey(),
-                  new Picture(
-                      Picture.PANEL, PANEL, description, g -> panel(g, panel.getValue(), limited)));
-            })
+            panel ->
+                new Panel(
+                    panel.getKey(),
+                    new Picture(
+                        Picture.PANEL, PANEL, description, g -> panel(g, panel.getValue()))))
         .toList();
   }
 
-  private void panel(Graphics2D g, List<Curve> curves, boolean limited) {
-    boolean timeOut = limited && curves.stream().anyMatch(ScaleChart::isCut);
-    double[] others = limited ? new double[] {BUDGET, timeOut ? limit : BUDGET} : new double[0];
+  private void panel(Graphics2D g, List<Curve> curves) {
+    boolean timeOut = curves.stream().anyMatch(ScaleChart::isCut);
+    double[] others = {BUDGET, timeOut ? limit : BUDGET};
     DecadeAxis circles =
         DecadeAxis.covering(
             curves.stream().flatMapToDouble(c -> Arrays.stream(c.x())), ScaleChart::count);
     circles.setLabel("number of circles");
-    DecadeAxis times = CurvePanel.heights(curves, null, v -> Durations.text(v, 1), others);
+    DecadeAxis times =
+        CurvePanel.heights(curves, "time of a frame", v -> Durations.text(v, 1), others);
     times.withTexts(v -> Durations.text(v, 3));
     Rectangle2D where = new Rectangle2D.Double(2, 0, Picture.PANEL - 4, PANEL - 4);
     Axes axes = CurvePanel.draw(g, where, NAMES, circles, times, marks, curves);
-    if (limited) {
-      axes.level(g, BUDGET, Style.VERMILION, Style.dashes(Style.THIN, 7, 4));
-      g.setFont(Style.font(11));
-      g.drawString("60 FPS", (float) axes.area().getMinX() + 6, (float) axes.y(BUDGET) - 4);
-    }
+    axes.level(g, BUDGET, Style.QUIET, Style.dashes(Style.THIN, 7, 4));
+    g.setFont(Style.font(11));
+    g.drawString("60 FPS", (float) axes.area().getMinX() + 6, (float) axes.y(BUDGET) - 4);
     if (timeOut) {
       rings(g, axes, curves);
     }
@@ -99,7 +92,7 @@ public final class ScaleChart {
   }
 
   /** Short, for the last one stands at the edge. */
-  private static String count(double n) {
+  static String count(double n) {
     return n < 1e3
         ? Durations.number(n, 1)
         : n < 1e6 ? Durations.number(n / 1e3, 1) + "k" : Durations.number(n / 1e6, 1) + "M";

@@ -51,7 +51,7 @@ public final class SweepChart {
         .map(
             panel ->
                 new Panel(
-                    "against " + panel.getKey(),
+                    "Time of a frame against the " + panel.getKey(),
                     new Picture(
                         Picture.PANEL, PANEL, description, g -> paint(g, panel.getValue()))))
         .toList();

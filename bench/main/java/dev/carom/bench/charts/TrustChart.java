@@ -18,7 +18,7 @@ public final class TrustChart {
   private static final String ERROR = "error";
 
   private static final Marks MARKS =
-      new Marks(List.of(BOUND, ERROR), method -> method.equals(BOUND) ? "bound" : "bound = error");
+      new Marks(List.of(BOUND, ERROR), method -> method.equals(BOUND) ? "predicted" : "true error");
 
   private final String description;
   private final Map<String, Curve> curves;
@@ -49,8 +49,8 @@ public final class TrustChart {
     double[] x = bounds.x();
     List<Curve> lines = List.of(bounds, new Curve(ERROR, "", x, x, x, x));
     DecadeAxis errors = DecadeAxis.covering(Arrays.stream(x), TrustChart::power);
-    errors.setLabel("true error, in radii");
-    DecadeAxis heights = CurvePanel.heights(lines, null, TrustChart::power);
+    errors.setLabel("true error of a place, in radii");
+    DecadeAxis heights = CurvePanel.heights(lines, "error, in radii", TrustChart::power);
     Rectangle2D where = new Rectangle2D.Double(2, 0, WIDTH - 4, HEIGHT - 4);
     CurvePanel.draw(g, where, NAMES, errors, heights, MARKS, lines);
   }

@@ -3,10 +3,12 @@ package dev.carom.bench.report;
 
 import dev.carom.bench.charts.BarChart;
 import dev.carom.bench.charts.BarChart.Bar;
+import dev.carom.bench.charts.Marks;
 import dev.carom.bench.charts.Panel;
 import dev.carom.bench.results.Results;
 import dev.carom.bench.results.Setting;
 import dev.carom.bench.results.Spread;
+import java.awt.Color;
 import java.util.List;
 import java.util.function.DoubleFunction;
 import java.util.function.Function;
@@ -17,15 +19,16 @@ import java.util.function.ToDoubleFunction;
 final class ContactFigures {
 
   private static final String SCENE = "heap";
-  private static final String ENGINE = "gdx-box2d";
 
   private final Results results;
+  private final Marks marks;
 
   ContactFigures(Results results) {
     this.results = results;
+    marks = Settings.marks(results);
   }
 
-  /** One figure of four panels, or none if nothing was measured. */
+  /** One figure of two panels, or none if nothing was measured. */
   List<Figure> figures() {
     if (settings().isEmpty()) {
       return List.of();
@@ -34,24 +37,38 @@ final class ContactFigures {
         List.of(
             panel("Deepest overlap, in radii", this::overlap, ReportNumbers::error),
             panel(
-                "Energy from nowhere, of that at the start", this::energy, ContactFigures::percent),
-            panel("All at rest after", this::rest, ContactFigures::seconds),
-            panel("Time of a frame, mean", this::time, ReportNumbers::time));
+                "Time of a frame; faster than Carom: "
+                    + told("none", this::isFaster, Metrics::shortName),
+                this::time,
+                ReportNumbers::time));
     String title =
-        "In a heap Carom's circles overlap by at most %s radii, those of Box2D by %s; faster: %s"
-            .formatted(
-                ReportNumbers.error(overlap(Metrics.CAROM)),
-                told("", s -> s.method().equals(ENGINE), s -> ReportNumbers.error(overlap(s))),
-                told("none", this::isFaster, Metrics::shortName));
+        "In a heap, Carom's circles touch; those of the engines sink %s into each other"
+            .formatted(engines());
     return List.of(
         new Figure(
             "heap",
             "A heap",
             title,
-            "100 circles of radius 10 px fall, bounce with half of their speed and come to rest, in 600 frames. Overlap is that at the ends of frames. At rest: no circle moves by 0.01 px a frame any more. Energy should only fall. The frames are those of the fall and of the rest after it.",
+            "100 circles fall into a heap and come to rest. Each engine has its defaults, then the best settings found.",
             title + ".",
             panels,
             table()));
+  }
+
+  /** The least and the greatest overlap of others. */
+  private String engines() {
+    double[] overlaps =
+        settings().stream()
+            .filter(s -> !s.equals(Metrics.CAROM))
+            .mapToDouble(this::overlap)
+            .sorted()
+            .toArray();
+    return overlaps.length == 0
+        ? "?"
+        : ReportNumbers.error(overlaps[0])
+            + " to "
+            + ReportNumbers.error(overlaps[overlaps.length - 1])
+            + " radii";
   }
 
   private List<Setting> settings() {
@@ -64,10 +81,11 @@ final class ContactFigures {
             .map(
                 s -> {
                   double v = value.applyAsDouble(s);
-                  return new Bar(Metrics.shortName(s), new double[] {v}, text.apply(v));
+                  Color color = marks.color(s.method());
+                  return new Bar(Metrics.shortName(s), color, v, text.apply(v));
                 })
             .toList();
-    return new Panel(title, new BarChart(title, List.of(), bars).picture());
+    return new Panel(title, new BarChart(title, bars).picture());
   }
 
   private double overlap(Setting setting) {

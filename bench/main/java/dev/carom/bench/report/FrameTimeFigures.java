@@ -3,7 +3,6 @@ package dev.carom.bench.report;
 
 import dev.carom.bench.charts.FrameStripsChart;
 import dev.carom.bench.charts.FrameStripsChart.Strip;
-import dev.carom.bench.charts.Marks;
 import dev.carom.bench.charts.Panel;
 import dev.carom.bench.replay.Budget;
 import dev.carom.bench.results.Results;
@@ -50,31 +49,39 @@ final class FrameTimeFigures {
         new ReportTable.Builder(
             "setting", "scene", "frames", "median", "95 %", "99 %", "worst", "over the budget");
     List<String> over = new ArrayList<>();
-    List<Panel> panels = new ArrayList<>();
     List<String> told = new ArrayList<>();
     scenes.forEach(
         (scene, strips) -> {
           strips.forEach(strip -> row(table, scene, strip, over));
           told.add(scene + ": " + worst(strips));
-          String words = "Every frame of one replay of " + scene;
-          Marks marks = Settings.marks(results);
-          panels.add(
-              new Panel(
-                  Scenes.words(scene),
-                  new FrameStripsChart(words, marks, strips, BUDGET).picture()));
         });
+    String first = scenes.keySet().iterator().next();
+    List<Strip> drawn = scenes.get(first).stream().filter(FrameTimeFigures::isDrawn).toList();
     String title =
+        "%s's slowest of %s frames takes %s of the 16.67 ms allowed"
+            .formatted(
+                name(drawn.get(0)),
+                ReportNumbers.count(drawn.get(0).nanos().length),
+                ReportNumbers.time(Arrays.stream(drawn.get(0).nanos()).max().orElseThrow()));
+    String budget =
         over.isEmpty()
-            ? "No frame of any method exceeds the budget of 16.67 ms"
-            : "Frames over the budget of 16.67 ms: " + String.join(", ", over);
+            ? "No frame of any method exceeds the budget of 16.67 ms. "
+            : "Frames over the budget of 16.67 ms: " + String.join(", ", over) + ". ";
     return new Figure(
         "frames",
         "All frame times",
         title,
-        "Every frame of one replay by the most accurate setting of each method, from the first at the top of its strip. Heavy line: median; thin line: the worst. Dashed: the budget.",
-        title + ". " + String.join(" ", told),
-        panels,
+        "Each dot is one frame%s. Thick line: median. Dashed: 16.67 ms, all that 60 frames a second allow."
+            .formatted(Scenes.size(first)),
+        budget + String.join(" ", told),
+        List.of(
+            new Panel(
+                "", new FrameStripsChart(title, Settings.marks(results), drawn, BUDGET).picture())),
         table.build());
+  }
+
+  private static boolean isDrawn(Strip strip) {
+    return Settings.isDrawn(new Setting(strip.method(), strip.knob()));
   }
 
   private static void row(ReportTable.Builder table, String scene, Strip strip, List<String> over) {

@@ -275,7 +275,12 @@ final class Page {
               + price.framesAsGood());
       table(price.frames(), "Time and worst error of a frame", none -> "");
     }
-    folded("queries");
+    QueryFigures questions = new QueryFigures(results);
+    if (!questions.table().rows().isEmpty()) {
+      html.append("<details><summary>").append(text(questions.sentence())).append("</summary>\n");
+      table(questions.table(), "Time and error of a question", none -> "");
+      html.append("</details>\n");
+    }
     decisions();
   }
 
@@ -313,6 +318,12 @@ final class Page {
   private void needs() {
     group("needs");
     figure("features");
+    RungShares rungs = new RungShares(results);
+    if (!rungs.table().rows().isEmpty()) {
+      html.append("<details><summary>").append(text(rungs.sentence())).append("</summary>\n");
+      table(rungs.table(), "Which precision decided", none -> "");
+      html.append("</details>\n");
+    }
   }
 
   private void stability() {
@@ -358,7 +369,7 @@ final class Page {
     html.append("<section class=\"map\" id=\"").append(text(figure.id())).append("\">\n<h3>");
     html.append(text(figure.title())).append("</h3>\n<div class=\"sketch\">");
     picture(Thumbnail.of(map.example(), "A scene of this map"));
-    html.append("<p>").append(text(firstSentence(map.run()))).append("</p></div>\n");
+    html.append("<p>").append(text(figure.note())).append("</p></div>\n");
     picture(figure.panels().get(0).picture());
     numbers(figure);
     html.append("</section>\n");
@@ -448,11 +459,6 @@ final class Page {
     paragraph(figure.caption());
     table(figure.table(), figure.heading(), none -> "");
     html.append("</details>\n");
-  }
-
-  private static String firstSentence(String words) {
-    int end = words.indexOf(". ");
-    return end < 0 ? words : words.substring(0, end + 1);
   }
 
   /** Writes a picture. Its label is short, for words beside the picture say the rest. */

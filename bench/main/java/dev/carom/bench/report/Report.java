@@ -97,7 +97,6 @@ public final class Report {
   static List<Figure> figures(Results results) {
     List<Figure> figures = new ArrayList<>();
     figures.addAll(new WorkFigures(results).figures());
-    figures.addAll(new QueryFigures(results).figures());
     figures.addAll(new FeatureFigures(results).figures());
     figures.addAll(new DriftFigures(results).figures());
     figures.addAll(new ContactFigures(results).figures());

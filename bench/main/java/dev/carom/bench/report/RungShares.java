@@ -1,13 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 package dev.carom.bench.report;
 
-import dev.carom.bench.charts.BarChart;
-import dev.carom.bench.charts.BarChart.Bar;
-import dev.carom.bench.charts.Panel;
 import dev.carom.bench.results.Results;
-import java.util.List;
 import java.util.Locale;
-import java.util.Optional;
 
 /** Which precision decided, by class of questions and by scene. */
 final class RungShares {
@@ -24,44 +19,34 @@ final class RungShares {
     return results.value(scene, Metrics.CAROM, Metrics.RUNGS, stat);
   }
 
-  /** Nothing if it was not measured. */
-  Optional<Panel> panel() {
-    List<Bar> bars =
-        results.scenes(Metrics.RUNGS).stream()
-            .filter(scene -> count(scene, "asked") > 0)
-            .map(this::bar)
-            .toList();
-    if (bars.isEmpty()) {
-      return Optional.empty();
+  /** The share of each precision; no row if it was not measured. */
+  ReportTable table() {
+    ReportTable.Builder table =
+        new ReportTable.Builder("asked", "doubles", "double-double", "exact numbers");
+    for (String scene : results.scenes(Metrics.RUNGS)) {
+      double asked = count(scene, "asked");
+      if (asked > 0) {
+        table.row(
+            scene.startsWith(QUERY)
+                ? "questions: " + Metrics.queryClass(scene)
+                : "pairs looked at in " + scene,
+            percent(count(scene, "double") / asked),
+            percent(count(scene, "double-double") / asked),
+            percent(count(scene, "exact") / asked));
+      }
     }
-    BarChart chart =
-        new BarChart(sentence(), List.of("doubles", "double-double", "exact numbers"), bars);
-    return Optional.of(new Panel("Which precision decided; the share of doubles", chart.picture()));
+    return table.build();
   }
 
-  private Bar bar(String scene) {
-    double asked = count(scene, "asked");
-    double[] parts = {
-      count(scene, "double") / asked,
-      count(scene, "double-double") / asked,
-      count(scene, "exact") / asked
-    };
-    String words =
-        scene.startsWith(QUERY)
-            ? "questions: " + Metrics.queryClass(scene)
-            : "pairs looked at in " + scene;
-    return new Bar(words, parts, percent(parts[0]));
-  }
-
-  /** Not 100 % unless it is all. */
+  /** Not 100 % unless it is all, nor 0 unless it is none. */
   private static String percent(double share) {
-    if (share == 1) {
-      return "100 %";
+    if (share == 1 || share == 0) {
+      return share == 1 ? "100 %" : "0 %";
     }
-    int digits = share > 0.999 ? 4 : 1;
+    int digits = share > 0.999 || share < 0.001 ? 4 : 1;
     double unit = Math.pow(10, -digits);
     return String.format(
-        Locale.ROOT, "%." + digits + "f %%", Math.min(100 - unit, Math.max(0, 100 * share)));
+        Locale.ROOT, "%." + digits + "f %%", Math.min(100 - unit, Math.max(unit, 100 * share)));
   }
 
   /** The shares over the frames of all scenes, which are what a user sees. */

@@ -40,16 +40,11 @@ public final class ScaleFigures {
     }
     Map<String, List<Curve>> panels = new LinkedHashMap<>();
     for (Model model : Model.values()) {
-      for (Per per : Per.values()) {
-        List<Curve> curves = times.curves(model, per);
-        if (!curves.isEmpty()) {
-          panels.put(
-              model.title() + ": " + per.words, curves.stream().map(ScaleFigures::unset).toList());
-        }
+      List<Curve> curves = times.curves(model, Per.FRAME);
+      if (!curves.isEmpty()) {
+        panels.put(model.title(), curves.stream().map(ScaleFigures::unset).toList());
       }
     }
-    int forks = times.forks();
-    String band = forks > 1 ? "5 to 95 % over " + forks + " forks" : "all rounds";
     ScaleChart chart =
         new ScaleChart(
             "Time against the number of circles.", Settings.marks(results), panels, limit);
@@ -62,8 +57,8 @@ public final class ScaleFigures {
             "scale",
             "Many circles",
             growth.title(),
-            "Equal density in all scenes; engines at their defaults. Line: median; band: %s. A crossed ring: one frame took longer than %s, and larger scenes were not played; rings at one place stand below each other.%s"
-                .formatted(band, ReportNumbers.time(limit), busy()),
+            "Equal density in all scenes; engines at their defaults. A crossed ring: a frame took longer than %s, and larger scenes were not played.%s"
+                .formatted(ReportNumbers.time(limit), busy()),
             caption.strip(),
             chart.panels(),
             table()));
@@ -81,7 +76,7 @@ public final class ScaleFigures {
         .filter(each -> each > 0)
         .map(
             each ->
-                " Colliding circles have a radius of 1 px here and %s impacts each in a frame, more than in the gas above."
+                " Colliding circles have %s impacts each in a frame."
                     .formatted(ReportNumbers.ratio(Math.round(100 * each) / 100.0)))
         .orElse("");
   }

@@ -2,6 +2,7 @@
 package dev.carom.bench.report;
 
 import dev.carom.bench.charts.Curve;
+import dev.carom.bench.replay.Budget;
 import dev.carom.bench.report.ScaleTimes.Per;
 import dev.carom.bench.results.Results;
 import dev.carom.bench.results.Setting;
@@ -18,6 +19,7 @@ import java.util.Optional;
 final class ScaleGrowth {
 
   private static final int LEAST_POINTS = 3;
+  private static final String ENGINE = "gdx-box2d";
 
   private final Results results;
   private final ScaleTimes times;
@@ -81,25 +83,25 @@ final class ScaleGrowth {
                     results.value(scene, Metrics.CAROM, Scale.MEMORY, "line")));
   }
 
-  /** How far carom goes in each model. */
+  /** How many circles a frame may have. */
   String title() {
-    List<String> ours = new ArrayList<>();
-    for (Model model : Model.values()) {
-      for (Curve curve : times.curves(model, Per.FRAME)) {
-        int last = curve.last();
-        if (curve.method().equals(Metrics.OURS) && last >= 0) {
-          ours.add(
-              "%s for %s circles that %s"
-                  .formatted(
-                      ReportNumbers.time(curve.middle()[last]),
-                      ReportNumbers.count(curve.x()[last]),
-                      model == Model.GAS ? "collide" : "ignore each other"));
-        }
-      }
-    }
+    String ours = within(Metrics.OURS);
+    String theirs = within(ENGINE);
     return ours.isEmpty()
         ? "Time against the number of circles"
-        : "A frame of Carom takes " + String.join(" and ", ours);
+        : "At 60 frames a second Carom moves "
+            + ours
+            + (theirs.isEmpty() ? "" : "; " + Glossary.name(ENGINE) + " " + theirs);
+  }
+
+  private String within(String method) {
+    List<String> all = new ArrayList<>();
+    for (Model model : Model.values()) {
+      times
+          .within(model, method, 1e6 * Budget.MILLIS)
+          .ifPresent(n -> all.add(n + (model == Model.GAS ? " that collide" : " circles")));
+    }
+    return String.join(", or ", all);
   }
 
   /** The growth of carom in each model, and the methods that became too slow. */

@@ -8,6 +8,7 @@ import dev.carom.bench.measures.Parts;
 import java.util.ArrayList;
 import java.util.LinkedHashMap;
 import java.util.List;
+import java.util.Locale;
 import java.util.Map;
 import java.util.function.IntToDoubleFunction;
 import java.util.stream.IntStream;
@@ -18,14 +19,14 @@ final class Scenes {
   private static final Map<String, String> WORDS = new LinkedHashMap<>();
 
   static {
-    WORDS.put("base-1", "the published experiment, seed 1");
-    WORDS.put("base-1-r5", "small circles, seed 1");
-    WORDS.put("fast-1", "ten times as fast, seed 1");
-    WORDS.put("radii", "mixed radii, a stored file without a seed");
-    WORDS.put("base-2", "the published experiment, seed 2");
-    WORDS.put("base-3", "the published experiment, seed 3");
-    WORDS.put("gas", "circles that collide, seed 1");
-    WORDS.put("heap", "circles that fall into a heap, seed 1");
+    WORDS.put("base-1", "the published experiment");
+    WORDS.put("base-1-r5", "half the radius");
+    WORDS.put("fast-1", "ten times the speed");
+    WORDS.put("radii", "mixed radii");
+    WORDS.put("base-2", "the experiment, drawn anew");
+    WORDS.put("base-3", "the experiment, drawn once more");
+    WORDS.put("gas", "circles that collide");
+    WORDS.put("heap", "circles that fall into a heap");
   }
 
   private Scenes() {}
@@ -40,9 +41,12 @@ final class Scenes {
     return WORDS.getOrDefault(scene, "");
   }
 
-  /** A name with what it stands for, for a title. */
+  /** What it stands for, for a title. */
   static String words(String scene) {
-    return what(scene).isEmpty() ? scene : scene + ": " + what(scene);
+    String what = what(scene);
+    return what.isEmpty()
+        ? scene
+        : what.substring(0, 1).toUpperCase(Locale.ROOT) + what.substring(1);
   }
 
   /** How many circles and lines it has, to stand behind a frame; nothing for one not known. */

@@ -10,6 +10,7 @@ import java.util.Comparator;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
+import java.util.Set;
 
 /** The order in which settings are told, however they were measured: carom first, knobs upwards. */
 final class Settings {
@@ -21,7 +22,27 @@ final class Settings {
           .thenComparingDouble(Settings::number)
           .thenComparing(Setting::knob);
 
+  /**
+   * Methods that charts leave out, since each says what another one says: a chart of a dozen marks
+   * is not read. All tables have them.
+   */
+  private static final Set<String> IN_TABLES_ONLY =
+      Set.of(
+          "advancement",
+          "closest-point",
+          "overlap",
+          "poster-double",
+          "substeps",
+          "textbook-double",
+          "textbook-float",
+          "textbook-grid");
+
   private Settings() {}
+
+  /** Whether a method stands in charts, not only in tables. */
+  static boolean isDrawn(Setting setting) {
+    return !IN_TABLES_ONLY.contains(setting.method());
+  }
 
   static List<Setting> of(Results results, String scene, String metric) {
     return sorted(results.settings(scene, metric));

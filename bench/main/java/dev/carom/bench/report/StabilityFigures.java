@@ -13,14 +13,23 @@ import dev.carom.bench.stability.CellOutcome;
 import dev.carom.bench.stability.FailureMap;
 import dev.carom.bench.stability.Survey;
 import java.util.ArrayList;
-import java.util.Arrays;
 import java.util.Collection;
+import java.util.LinkedHashMap;
 import java.util.List;
-import java.util.stream.Collectors;
-import java.util.stream.Stream;
+import java.util.Map;
 
 /** Where methods fail: maps of small scenes, one panel a method. */
 public final class StabilityFigures {
+
+  /** Short enough for a legend. */
+  private static final Map<CellOutcome, String> WORDS =
+      Map.of(
+          CellOutcome.RIGHT, "right (to 0.001 radius)",
+          CellOutcome.DRIFTED, "up to 1 radius off",
+          CellOutcome.FAR_OFF, "further off",
+          CellOutcome.LOST_SPEED, "wrong speed",
+          CellOutcome.ESCAPED, "through a line",
+          CellOutcome.NO_ANSWER, "no answer");
 
   private final Results results;
 
@@ -45,6 +54,7 @@ public final class StabilityFigures {
   private Figure figure(FailureMap map) {
     List<MapTally> tallies = tallies(map);
     StabilityWords words = new StabilityWords(tallies);
+    List<Board> boards = drawn(tallies).stream().map(StabilityFigures::panel).toList();
     List<CellLimit> limits = limits(map);
     FailureMapChart chart =
         new FailureMapChart(
@@ -52,14 +62,16 @@ public final class StabilityFigures {
             Settings.marks(results),
             side(map, map.x(), Survey.X),
             side(map, map.y(), Survey.Y),
-            legend(limits),
+            legend(boards, limits),
             limits.stream().map(limit -> limit != CellLimit.NONE).toList(),
-            tallies.stream().filter(MapTally::played).map(StabilityFigures::panel).toList());
+            boards);
     return new Figure(
         "fails-" + map.name(),
         "Where methods fail: " + map.heading(),
-        new MapFailure(map, tallies, ofMap(map, Survey.X)).title() + words.title(),
-        map.run() + " " + judged(limits) + words.absent(),
+        words.title(),
+        map.run()
+            + " Each small square is one such scene, and the number above how many are right."
+            + words.absent(),
         words.caption(map.heading()),
         List.of(new Panel("", chart.picture())),
         StabilityWords.table(tallies));
@@ -109,24 +121,27 @@ public final class StabilityFigures {
         tally.outcomes().stream().map(CellOutcome::ordinal).toList());
   }
 
-  private static String judged(List<CellLimit> limits) {
-    String classes =
-        Stream.of(CellOutcome.values())
-            .map(outcome -> outcome.label() + ": " + outcome.meaning())
-            .collect(Collectors.joining("; "));
-    String corner =
-        reached(limits).stream().map(CellLimit::meaning).collect(Collectors.joining(", or "));
-    return "At the end of every frame, "
-        + classes
-        + (corner.isEmpty() ? "." : ". Dark corner: " + corner + ".");
+  /** Of each method the setting that is right most often. */
+  private static Collection<MapTally> drawn(List<MapTally> tallies) {
+    Map<String, MapTally> best = new LinkedHashMap<>();
+    tallies.stream()
+        .filter(tally -> tally.played() && Settings.isDrawn(tally.setting()))
+        .forEach(tally -> best.merge(tally.setting().method(), tally, StabilityFigures::better));
+    return best.values();
   }
 
-  private static List<String> legend(List<CellLimit> limits) {
+  private static MapTally better(MapTally one, MapTally other) {
+    return other.count(CellOutcome.RIGHT) > one.count(CellOutcome.RIGHT) ? other : one;
+  }
+
+  /** The classes that occur, then the dark corner; nothing in place of the others. */
+  private static List<String> legend(List<Board> boards, List<CellLimit> limits) {
     List<String> legend = new ArrayList<>();
-    Arrays.stream(CellOutcome.values()).forEach(outcome -> legend.add(outcome.label()));
-    if (!reached(limits).isEmpty()) {
-      legend.add("beyond the limits");
+    for (CellOutcome outcome : CellOutcome.values()) {
+      boolean occurs = boards.stream().anyMatch(b -> b.classes().contains(outcome.ordinal()));
+      legend.add(occurs ? WORDS.get(outcome) : "");
     }
+    legend.add(reached(limits).isEmpty() ? "" : "nobody can be right");
     return legend;
   }
 

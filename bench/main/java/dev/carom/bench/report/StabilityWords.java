@@ -4,6 +4,7 @@ package dev.carom.bench.report;
 import dev.carom.bench.stability.CellLimit;
 import dev.carom.bench.stability.CellOutcome;
 import java.util.ArrayList;
+import java.util.Comparator;
 import java.util.List;
 import java.util.Locale;
 import java.util.stream.Collectors;
@@ -12,6 +13,7 @@ import java.util.stream.Stream;
 /** A map of failures in words and in a table, made by rule from its numbers. */
 final class StabilityWords {
 
+  private static final String ENGINE = "gdx-box2d";
   private static final int MOST_NAMES = 3;
 
   private final List<MapTally> tallies;
@@ -28,13 +30,22 @@ final class StabilityWords {
   }
 
   String title() {
-    String name = Glossary.name(ours().setting().method());
     int wrong = ours().wrongWithin();
-    String cells =
-        ReportNumbers.count(ours().within()) + " cells" + (isLimited() ? " within its limits" : "");
-    return wrong == 0
-        ? "%s is right in all %s".formatted(capital(name), cells)
-        : "%s is wrong in %s of %s".formatted(capital(name), ReportNumbers.count(wrong), cells);
+    String scenes =
+        ReportNumbers.count(ours().within())
+            + " scenes"
+            + (isLimited() ? " within its limits" : "");
+    String whole =
+        wrong == 0
+            ? "Carom is right in all " + scenes
+            : "Carom is wrong in %s of %s".formatted(ReportNumbers.count(wrong), scenes);
+    return tallies.stream()
+        .filter(t -> t.played() && t.setting().method().equals(ENGINE))
+        .mapToInt(t -> t.count(CellOutcome.RIGHT))
+        .boxed()
+        .max(Comparator.naturalOrder())
+        .map(most -> whole + "; Box2D at its best in " + share(most, ours().outcomes().size()))
+        .orElse(whole);
   }
 
   /** One sentence. */
@@ -105,9 +116,7 @@ final class StabilityWords {
   /** A sentence about those who have no panel, or nothing. */
   String absent() {
     String names = unplayed();
-    return names.isEmpty()
-        ? ""
-        : " Without a panel, since they cannot play such scenes: " + names + ".";
+    return names.isEmpty() ? "" : " " + names + " cannot play such scenes.";
   }
 
   private String unplayed() {
@@ -144,9 +153,5 @@ final class StabilityWords {
     }
     return String.format(
         Locale.ROOT, "%.1f %%", Math.max(0.1, Math.min(99.9, 100.0 * part / whole)));
-  }
-
-  private static String capital(String word) {
-    return word.substring(0, 1).toUpperCase(Locale.ROOT) + word.substring(1);
   }
 }

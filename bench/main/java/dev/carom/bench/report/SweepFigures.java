@@ -24,7 +24,7 @@ public final class SweepFigures {
     PANELS.put("circles", "number of circles");
     PANELS.put("radius", "radius of the circles, in px");
     PANELS.put("lines", "number of lines");
-    PANELS.put("impacts", "impacts in the frame");
+    PANELS.put("impacts", "number of impacts in it");
   }
 
   /** The panels whose numbers are sizes of the scene, so that there is a growth. */

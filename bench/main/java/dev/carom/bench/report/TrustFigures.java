@@ -30,7 +30,7 @@ final class TrustFigures {
         new ReportTable.Builder("scene", "true error", "bound, 5 %", "median", "95 %");
     for (String scene : scenes) {
       Curve curve = curve(scene);
-      panels.put(scene + ": bound of the error, in radii", curve);
+      panels.put((scene.equals("falling") ? "With gravity" : "Without gravity"), curve);
       for (int i = 0; i < curve.x().length; i++) {
         table.row(
             scene,
@@ -46,7 +46,7 @@ final class TrustFigures {
             "trust",
             "How far a place can be trusted",
             title(scenes),
-            "Uncertainty predicts a bound of the error of each place. Shown are all circles and frames until the bound reaches a radius, by decade of the true error: the median bound, and a band from 5 to 95 %. A bound above the line \"bound = error\" holds. The scene falling has gravity.",
+            "Carom can tell, for each place, how wrong it is at most. Line: median of that bound; band: 5 to 95 % of the places. It has to stand above the true error.",
             "The predicted bound of the error against the true error. " + told,
             new TrustChart(told, panels).panels(),
             table.build()));
@@ -81,7 +81,7 @@ final class TrustFigures {
     double exceeded = scenes.stream().mapToDouble(scene -> exceeded(scene, "count")).sum();
     double places = scenes.stream().mapToDouble(scene -> exceeded(scene, "of")).sum();
     return exceeded == 0
-        ? "None of %s places is further from the truth than predicted"
+        ? "Carom predicts its own error: none of %s places is further off"
             .formatted(ReportNumbers.count(places))
         : "%s of %s places are further from the truth than predicted"
             .formatted(ReportNumbers.count(exceeded), ReportNumbers.count(places));

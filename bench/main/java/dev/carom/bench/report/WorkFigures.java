@@ -4,14 +4,12 @@ package dev.carom.bench.report;
 import dev.carom.bench.charts.BarChart;
 import dev.carom.bench.charts.BarChart.Bar;
 import dev.carom.bench.charts.Dot;
+import dev.carom.bench.charts.DotChart;
 import dev.carom.bench.charts.Marks;
 import dev.carom.bench.charts.Panel;
-import dev.carom.bench.charts.WorkPrecisionChart;
-import dev.carom.bench.charts.WorkPrecisionChart.Work;
 import dev.carom.bench.replay.Budget;
 import dev.carom.bench.results.Results;
 import dev.carom.bench.results.Setting;
-import dev.carom.bench.results.Spread;
 import java.util.ArrayList;
 import java.util.Comparator;
 import java.util.LinkedHashMap;
@@ -21,10 +19,13 @@ import java.util.Optional;
 import java.util.function.Predicate;
 import java.util.stream.Collectors;
 
-/** Charts of work against precision: a large one, and small ones of the other scenes. */
+/** Charts of speed against accuracy: a large one, and small ones of the other scenes. */
 final class WorkFigures {
 
   private static final String ERROR = "worst error of one frame, in radii";
+
+  /** So many of the other scenes are drawn; the table has all. */
+  private static final int PANELS = 4;
 
   private final Results results;
   private final Marks marks;
@@ -34,10 +35,7 @@ final class WorkFigures {
     marks = Settings.marks(results);
   }
 
-  /**
-   * The one of the first scene, with that of questions beside it, then one of all others, and of
-   * the pair tests.
-   */
+  /** The one of the first scene, with that of questions beside it, then one of all others. */
   List<Figure> figures() {
     List<String> timed =
         results.scenes(Metrics.FRAME_ERROR).stream()
@@ -46,15 +44,8 @@ final class WorkFigures {
     List<Figure> figures = new ArrayList<>();
     timed.stream().limit(1).map(this::lead).forEach(figures::add);
     timed.stream().limit(1).flatMap(scene -> engines(scene).stream()).forEach(figures::add);
-    List<Panel> panels = new ArrayList<>(others(timed));
-    List<String> counted =
-        results.scenes(Metrics.PAIR_TESTS).stream()
-            .filter(results.scenes(Metrics.FRAME_ERROR)::contains)
-            .limit(1)
-            .toList();
-    counted.forEach(scene -> panels.add(tests(scene)));
-    if (!panels.isEmpty()) {
-      figures.add(multiples(panels, timed));
+    if (timed.size() > 1) {
+      figures.add(multiples(timed.subList(1, timed.size())));
     }
     return figures;
   }
@@ -66,16 +57,14 @@ final class WorkFigures {
             + caption(all, true);
     List<Panel> panels =
         new ArrayList<>(
-            chart(Map.of("A frame of " + scene, timeDots(all)), caption, Work.TIME)
-                .panels(WorkPrecisionChart.TALL));
+            chart(Map.of("A frame" + Scenes.size(scene), dots(scene)), caption)
+                .panels(DotChart.TALL));
     new QueryFigures(results).decisions().ifPresent(panels::add);
-    int forks = all.stream().mapToInt(s -> s.time().forks()).max().orElse(1);
     return new Figure(
         "work-" + scene,
         "Speed against accuracy",
         title(scene, all),
-        "The lower left is best; nothing lies left of the dotted lines and below them. Upright whiskers: 5 to 95 %% of the times in %d virtual machines. Whiskers to the left end at the 99.9th percentile of the errors. Hollow: an engine at its defaults. The questions are of 12 classes, most of them made to be hard."
-            .formatted(forks),
+        "Lower is faster, further left is more accurate. In the shaded area a method would be both faster and more accurate than Carom.",
         caption,
         panels,
         table(List.of(scene)));
@@ -93,25 +82,28 @@ final class WorkFigures {
     if (ours.isEmpty() || timed.size() < 2) {
       return Optional.empty();
     }
-    String title =
+    List<String> times =
         timed.stream()
             .filter(s -> !s.equals(ours.get()))
-            .map(
-                s ->
-                    Glossary.name(s.setting().method())
-                        + " "
-                        + ReportNumbers.count(s.time().middle() / ours.get().time().middle()))
-            .collect(Collectors.joining(", ", "Times as long as Carom: ", ""));
+            .map(s -> ReportNumbers.count(s.time().middle() / ours.get().time().middle()))
+            .toList();
+    String title =
+        "Carom is %s times as fast as the engines"
+            .formatted(
+                times.size() == 1
+                    ? times.get(0)
+                    : times.get(0) + " to " + times.get(times.size() - 1));
     List<Bar> bars =
         timed.stream()
             .map(
                 s ->
                     new Bar(
                         Glossary.name(s.setting().method()),
-                        new double[] {s.time().middle()},
+                        marks.color(s.setting().method()),
+                        s.time().middle(),
                         ReportNumbers.time(s.time().middle())))
             .toList();
-    String note = "Time of a frame%s. The engines have the best settings found.";
+    String note = "Time of a frame%s, each engine at the best settings found.";
     return Optional.of(
         new Figure(
             "engines",
@@ -119,7 +111,7 @@ final class WorkFigures {
             title,
             note.formatted(Scenes.size(scene)),
             title + ".",
-            List.of(new Panel("", new BarChart(title, List.of(), bars).picture())),
+            List.of(new Panel("", new BarChart(title, bars).picture())),
             table(List.of(scene))));
   }
 
@@ -127,36 +119,31 @@ final class WorkFigures {
     return Metrics.shortKnob(s.setting()).equals("tuned");
   }
 
-  private WorkPrecisionChart chart(Map<String, List<Dot>> panels, String caption, Work work) {
-    boolean time = work == Work.TIME;
-    return new WorkPrecisionChart(
-        caption,
-        marks,
-        List.of(ERROR, time ? "time of a frame" : "pair tests in a frame"),
-        work,
-        time ? 1e6 * Budget.MILLIS : Double.NaN,
-        panels);
+  private DotChart chart(Map<String, List<Dot>> panels, String caption) {
+    return new DotChart(
+        caption, marks, List.of(ERROR, "time of a frame"), 1e6 * Budget.MILLIS, panels);
   }
 
-  private List<Panel> others(List<String> timed) {
-    Map<String, List<Dot>> panels = new LinkedHashMap<>();
-    timed.stream()
-        .skip(1)
-        .forEach(scene -> panels.put(Scenes.words(scene), timeDots(standings(scene))));
-    return panels.isEmpty()
-        ? List.of()
-        : chart(panels, "Time of a frame against the worst error of one frame.", Work.TIME)
-            .panels(WorkPrecisionChart.SMALL);
-  }
-
-  private List<Dot> timeDots(List<Standing> all) {
-    return all.stream()
-        .map(s -> dot(s, s.time().low(), s.time().middle(), s.time().high()))
+  /** One for each method that is drawn, at the setting that errs least. */
+  private List<Dot> dots(String scene) {
+    List<Setting> finest = Settings.finest(results, scene, Metrics.FRAME_ERROR);
+    return standings(scene).stream()
+        .filter(s -> finest.contains(s.setting()) && Settings.isDrawn(s.setting()))
+        .map(
+            s ->
+                new Dot(
+                    s.setting().method(),
+                    Metrics.shortKnob(s.setting()),
+                    s.error(),
+                    s.time().low(),
+                    s.time().middle(),
+                    s.time().high()))
         .toList();
   }
 
-  private Figure multiples(List<Panel> panels, List<String> timed) {
-    List<String> scenes = timed.stream().skip(1).toList();
+  private Figure multiples(List<String> scenes) {
+    Map<String, List<Dot>> panels = new LinkedHashMap<>();
+    scenes.stream().limit(PANELS).forEach(scene -> panels.put(Scenes.words(scene), dots(scene)));
     List<String> beaten =
         scenes.stream()
             .flatMap(
@@ -179,9 +166,10 @@ final class WorkFigures {
         "work",
         "Speed against accuracy in other scenes",
         title,
-        "Axes and marks as above. The last panel has a count of work in place of the time: how often a circle and an obstacle are looked at together, which no machine changes. An engine does not tell it.",
+        "The same chart for other scenes of 100 circles. Lower is faster, further left is more accurate.",
         ("Time of a frame against the worst error of one frame. " + caption).strip(),
-        panels,
+        chart(panels, "Time of a frame against the worst error of one frame.")
+            .panels(DotChart.SMALL),
         table(scenes));
   }
 
@@ -193,18 +181,6 @@ final class WorkFigures {
             setting ->
                 all.stream().filter(s -> s.setting().equals(setting)).findFirst().orElseThrow())
         .toList();
-  }
-
-  private Dot dot(Standing s, double low, double work, double high) {
-    return new Dot(
-        s.setting().method(),
-        Metrics.shortKnob(s.setting()),
-        s.error(),
-        low,
-        work,
-        high,
-        Metrics.isDefault(s.setting()),
-        s.usual());
   }
 
   private static String title(String scene, List<Standing> all) {
@@ -352,24 +328,5 @@ final class WorkFigures {
         .only(scene, s.setting(), metric)
         .map(spread -> spread.failed() ? "not told" : ReportNumbers.ratio(spread.middle()))
         .orElse("");
-  }
-
-  /** A method without a count of pair tests, such as a peer, is not drawn. */
-  private Panel tests(String scene) {
-    List<Dot> dots = new ArrayList<>();
-    for (Standing s : standings(scene)) {
-      double tests =
-          results
-              .only(scene, s.setting(), Metrics.PAIR_TESTS)
-              .map(Spread::middle)
-              .orElse(Double.NaN);
-      if (!Double.isNaN(tests)) {
-        dots.add(dot(s, tests, tests, tests));
-      }
-    }
-    Map<String, List<Dot>> panel = Map.of(scene + ": work in place of time", dots);
-    return chart(panel, "Pair tests in a frame against the worst error of one frame.", Work.COUNT)
-        .panels(WorkPrecisionChart.SMALL)
-        .get(0);
   }
 }

@@ -24,8 +24,7 @@ final class BoxMaps {
     return new FailureMap(
         "angle",
         "speed and angle of impact",
-        "One elastic circle in a box of four lines, 40 x 30 radii, for 100 frames, of which the"
-            + " first impact takes at most 37.",
+        "One ball bounces for 100 frames in a box of four lines, 40 x 30 radii.",
         Axis.decades("speed, in radii a frame", -3, 3, 2),
         degrees(),
         (speed, angle) -> cell(speed * RADIUS, angle, FRAMES));
@@ -35,9 +34,7 @@ final class BoxMaps {
     return new FailureMap(
         "frame",
         "length of a frame and angle of impact",
-        "One elastic circle in a box of four lines, 40 x 30 radii; a frame is so many times as"
-            + " long as the flight from side to side takes, and there are 1,000 short ones, or as"
-            + " many as three crossings take, or a long one.",
+        "One ball bounces in a box of four lines, 40 x 30 radii, in shorter or longer frames.",
         Axis.decades("length of a frame, in crossings of the box", -6, 6, 1),
         degrees(),
         (crossings, angle) ->

@@ -31,9 +31,7 @@ final class CornerMap {
     return new FailureMap(
         "corner",
         "opening of a corner and restitution",
-        "A circle flies into a corner of two lines, at half a radius a frame, not along the middle;"
-            + " the run is 2.5 times as long as the way to the apex; where impacts pile up, it ends"
-            + " at rest.",
+        "A ball flies into a corner of two lines, at half a radius a frame.",
         Axis.plain("opening of the corner, degrees", DEGREES),
         Axis.plain("restitution", RESTITUTIONS),
         CornerMap::cell);

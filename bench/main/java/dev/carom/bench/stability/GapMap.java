@@ -30,8 +30,7 @@ final class GapMap {
     return new FailureMap(
         "gap",
         "gap between two lines and speed",
-        "An elastic circle flies at the middle of the gap between two lines, with a slope of 0.02,"
-            + " for 24 radii or a frame; where there is room it goes on between them.",
+        "A ball flies at the gap between two lines, a little narrower or wider than itself.",
         Axis.plain("gap, in diameters", GAPS),
         Axis.decades("speed, in radii a frame", -2, 2, 2),
         GapMap::cell);

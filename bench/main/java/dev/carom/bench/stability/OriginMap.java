@@ -18,7 +18,7 @@ final class OriginMap {
     return new FailureMap(
         "origin",
         "distance from the origin and speed",
-        "An elastic circle meets the end of a line off its middle, after 7.4 of 20 frames.",
+        "A ball hits the end of a line, near or far from the origin of coordinates.",
         Axis.decades("distance from the origin, in radii", 0, 12, 1),
         Axis.decades("speed, in radii a frame", -3, 3, 2),
         OriginMap::cell);

@@ -32,9 +32,7 @@ final class PairMap {
     return new FailureMap(
         "mass",
         "ratio of two masses and restitution",
-        "A circle flies, at a tenth of a radius a frame, at a lighter one that rests before a line;"
-            + " for 39 frames, in which, were it not slowed down, it would leave a tenth of a radius"
-            + " of room.",
+        "A heavy ball pushes a lighter one, which rests before a line, at a tenth of a radius a frame.",
         Axis.decades("mass of the one that flies, in masses of the other", 0, 12, 1),
         Axis.plain("restitution", RESTITUTIONS),
         PairMap::cell);

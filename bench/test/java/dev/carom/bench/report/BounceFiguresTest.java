@@ -24,12 +24,12 @@ class BounceFiguresTest {
   }
 
   @Test
-  void everySettingIsALineAndARow() {
+  void everyMethodIsALineAndEverySettingARow() {
     List<Figure> figures = new BounceFigures(sample().results()).figures();
     assertThat(figures).hasSize(1);
     Figure figure = figures.get(0);
     assertThat(figure.title())
-        .isEqualTo("Within 100 bounces the energy of Carom's ball is off by at most 2.0e-16");
+        .isEqualTo("After 100 bounces the energy of Carom's ball is off by at most 2.0e-16");
     assertThat(figure.caption())
         .endsWith(
             "Carom 2.0e-16 after 100, dyn4j defaults 0.1 after 100, dyn4j tuned 0.001 after 100.");
@@ -39,7 +39,8 @@ class BounceFiguresTest {
             List.of("dyn4j defaults", "100", "0.1", "100"),
             List.of("dyn4j tuned", "100", "0.001", "none"));
     assertThat(new String(figure.picture().svg(), StandardCharsets.UTF_8))
-        .contains(">bounces<", ">0<");
+        .contains(">number of bounces<", ">0<", ">tuned<")
+        .doesNotContain(">defaults<");
   }
 
   /** Results from before there was gravity have no such part. */

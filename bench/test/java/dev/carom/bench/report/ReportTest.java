@@ -22,7 +22,7 @@ import org.junit.jupiter.api.io.TempDir;
 class ReportTest {
 
   private static final List<String> FIGURES =
-      List.of("work-base-1", "engines", "work", "queries", "drift-base-1", "frames", "sweep");
+      List.of("work-base-1", "engines", "work", "drift-base-1", "frames", "sweep");
 
   @TempDir static Path dir;
   private static Results stored;
@@ -117,7 +117,7 @@ class ReportTest {
   void theScenesAreToldWithTheirSizes() {
     assertThat(page)
         .containsPattern(
-            "base-1</th><td>the published experiment, seed 1<td>100<td>100<td>800 x 600<td>10<td>")
+            "base-1</th><td>the published experiment<td>100<td>100<td>800 x 600<td>10<td>")
         .contains("aria-label=\"The scene fast-1\"");
   }
 

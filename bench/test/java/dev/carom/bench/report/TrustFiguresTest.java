@@ -31,7 +31,7 @@ class TrustFiguresTest {
     assertThat(figures).hasSize(1);
     Figure figure = figures.get(0);
     assertThat(figure.title())
-        .isEqualTo("None of 6,000 places is further from the truth than predicted");
+        .isEqualTo("Carom predicts its own error: none of 6,000 places is further off");
     assertThat(figure.caption())
         .endsWith(
             "base-1: the error exceeds the bound at 0 of 3,000 places; in the median the bound is 10"
@@ -42,8 +42,8 @@ class TrustFiguresTest {
         .hasSize(28)
         .contains(List.of("falling", "3.2e-4", "7.9e-4", "0.0032", "0.028"));
     assertThat(new String(figure.picture().svg(), StandardCharsets.UTF_8))
-        .contains(">true error, in radii<")
-        .contains(">bound = error<");
+        .contains(">true error of a place, in radii<", ">With gravity<")
+        .contains(">true error<");
   }
 
   @Test
