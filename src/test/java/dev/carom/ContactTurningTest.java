@@ -2,6 +2,7 @@
 package dev.carom;
 
 import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.assertThatThrownBy;
 import static org.assertj.core.api.Assertions.within;
 
 import java.util.ArrayList;
@@ -527,6 +528,28 @@ class ContactTurningTest {
         assertThat(worlds.get(2).x(i)).as("%s in frame %s", i, k).isEqualTo(small * world.x(i));
       }
     }
+  }
+
+  /**
+   * So large and slow that what pulls a circle underflows: contact has no clock for it. It leaves
+   * and bounces on, and {@code advanceTo} says that this is too much, but no line passes over it.
+   */
+  @ParameterizedTest
+  @ValueSource(booleans = {false, true})
+  void whereTheAccelerationUnderflowsNoLinePassesOverABall(boolean collide) {
+    double l = 0x1p480;
+    double time = 0x1p900;
+    World world =
+        new World(
+            Scene.builder()
+                .collide(collide)
+                .line(0, 0, 40 * l, 0)
+                .restitution(0)
+                .circle(20 * l, 4 * l, 4 * l, 0, 0)
+                .build());
+    world.turn(Kind.LINE, 0, 0, 0, 1, time);
+    assertThatThrownBy(() -> world.advanceTo(time / 40)).isInstanceOf(UnfinishedException.class);
+    assertThat(gap(world, 0, 0)).isGreaterThan(-1e-8 * l);
   }
 
   private static World struck(double l, int mirror) {

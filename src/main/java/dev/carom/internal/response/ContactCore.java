@@ -244,7 +244,8 @@ public final class ContactCore {
     double tick = ContactClock.ownTick(members.radius[i], members.pull[i]);
     if (graph.awake == 0 && jammed == 0) {
       clock.pull = members.pull[i];
-      clock.start(tick < Double.POSITIVE_INFINITY ? tick : Math.ulp(now), now); // else it leaves
+      // Where the pull underflows it leaves at once: else what turns would pass over it.
+      clock.start(tick < Double.POSITIVE_INFINITY ? tick : Math.ulp(now), now);
       momentTime = now;
       newcomers.longest = 0;
       cuts = 0;
@@ -538,7 +539,8 @@ public final class ContactCore {
     }
     double touch = clock.pull * clock.tau * clock.tau;
     for (int k = 0; k < p.size; k++) {
-      // What turns may press in ticks that are short beside the widest standoff.
+      // What turns may press in ticks that are short beside the widest standoff: without this, a
+      // ball would leave a wedge that closes.
       double wide = parts.areTurning() ? ContactLaw.MARGIN * members.radius[p.owner[k]] : 0;
       boolean bears = p.felt[k] && p.impulse[k] > 0 && p.gap[k] <= Math.max(touch, wide);
       if (bears && p.opening(momenta.v, k) <= clock.slow()) {
