@@ -62,6 +62,11 @@ class ContactTurningTest {
     return new double[] {s, u};
   }
 
+  /** A line from the origin, which is to turn there. */
+  private static SceneBuilder line(double length, double e, double g, boolean collide) {
+    return Scene.builder().gravity(0, -g).collide(collide).line(0, 0, length, 0).restitution(e);
+  }
+
   private static double gap(World world, int line, int ball) {
     Vec2 center = new Vec2(world.x(ball), world.y(ball));
     Vec2 near = world.line(line).closestPoint(center);
@@ -80,15 +85,7 @@ class ContactTurningTest {
   @CsvSource({"false, 0", "true, 0", "false, 500", "true, 500"})
   void aBallThatIsStruckWithoutBounceSlidesOutwards(boolean collide, double g) {
     for (double s : new double[] {6, 12, 40}) {
-      World world =
-          new World(
-              Scene.builder()
-                  .gravity(0, -g)
-                  .collide(collide)
-                  .line(0, 0, 200, 0)
-                  .restitution(0)
-                  .circle(s, 3, 3, 0, 0)
-                  .build());
+      World world = new World(line(200, 0, g, collide).circle(s, 3, 3, 0, 0).build());
       world.turn(Kind.LINE, 0, 0, 0, STROKE, TIME);
       int rows = 0;
       for (double t = 0.001; t < 0.0245; t += 0.001) {
@@ -106,14 +103,7 @@ class ContactTurningTest {
   @ParameterizedTest
   @ValueSource(booleans = {false, true})
   void atTheEndItFliesFreely(boolean collide) {
-    World world =
-        new World(
-            Scene.builder()
-                .collide(collide)
-                .line(0, 0, 60, 0)
-                .restitution(0)
-                .circle(12, 3, 3, 0, 0)
-                .build());
+    World world = new World(line(60, 0, 0, collide).circle(12, 3, 3, 0, 0).build());
     world.turn(Kind.LINE, 0, 0, 0, STROKE, TIME);
     world.advanceTo(TIME + 0.001);
     double vx = world.vx(0);
@@ -134,15 +124,7 @@ class ContactTurningTest {
   @ParameterizedTest
   @CsvSource({"0, false", "0, true", "0.5, false", "0.5, true", "1, true"})
   void aFlipperRaisesARestingBall(double e, boolean collide) {
-    World world =
-        new World(
-            Scene.builder()
-                .gravity(0, -500)
-                .collide(collide)
-                .line(0, 0, 60, 0)
-                .restitution(e)
-                .circle(20, 4, 4, 0, 0)
-                .build());
+    World world = new World(line(60, e, 500, collide).circle(20, 4, 4, 0, 0).build());
     world.advanceTo(0.1);
     if (e < 1) {
       assertThat(world.isResting(0)).isTrue();
@@ -174,15 +156,7 @@ class ContactTurningTest {
   @ParameterizedTest
   @CsvSource({"0, false", "0.5, false", "0, true", "0.5, true"})
   void aBallRollsDownALineThatTilts(double e, boolean collide) {
-    World world =
-        new World(
-            Scene.builder()
-                .gravity(0, -100)
-                .collide(collide)
-                .line(0, 0, 400, 0)
-                .restitution(e)
-                .circle(200, 4, 4, 0, 0)
-                .build());
+    World world = new World(line(400, e, 100, collide).circle(200, 4, 4, 0, 0).build());
     world.advanceTo(0.1);
     world.turn(Kind.LINE, 0, 0, 0, 0.3, 2.1);
     world.advanceTo(2);
@@ -254,11 +228,7 @@ class ContactTurningTest {
       double y = (isInTheWay == angle > 0 ? 1 : -1) * r * (1 + random.nextDouble());
       World world =
           new World(
-              Scene.builder()
-                  .gravity(0, -g)
-                  .collide(collide)
-                  .line(0, 0, length, 0)
-                  .restitution(e)
+              line(length, e, g, collide)
                   .circle(x, y, r, v * Math.cos(direction), v * Math.sin(direction))
                   .build());
       world.turn(Kind.LINE, 0, 0, 0, angle, time);
@@ -348,14 +318,7 @@ class ContactTurningTest {
   void aLinePassesOverWhatHasInfiniteMass(double e, boolean collide, double g) {
     World world =
         new World(
-            Scene.builder()
-                .gravity(0, -g)
-                .collide(collide)
-                .line(0, 0, 60, 0)
-                .restitution(e)
-                .circle(20, 4, 4, 0, 0)
-                .mass(Double.POSITIVE_INFINITY)
-                .build());
+            line(60, e, g, collide).circle(20, 4, 4, 0, 0).mass(Double.POSITIVE_INFINITY).build());
     for (int k = 0; k < 6; k++) {
       world.turn(Kind.LINE, 0, 0, 0, k % 2 == 0 ? 1.5 : -1.5, world.now() + 0.5);
       world.advanceTo(world.now() + 0.5);
@@ -539,14 +502,7 @@ class ContactTurningTest {
   void whereTheAccelerationUnderflowsNoLinePassesOverABall(boolean collide) {
     double l = 0x1p480;
     double time = 0x1p900;
-    World world =
-        new World(
-            Scene.builder()
-                .collide(collide)
-                .line(0, 0, 40 * l, 0)
-                .restitution(0)
-                .circle(20 * l, 4 * l, 4 * l, 0, 0)
-                .build());
+    World world = new World(line(40 * l, 0, 0, collide).circle(20 * l, 4 * l, 4 * l, 0, 0).build());
     world.turn(Kind.LINE, 0, 0, 0, 1, time);
     assertThatThrownBy(() -> world.advanceTo(time / 40)).isInstanceOf(UnfinishedException.class);
     assertThat(gap(world, 0, 0)).isGreaterThan(-1e-8 * l);

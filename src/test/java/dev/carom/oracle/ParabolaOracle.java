@@ -220,7 +220,8 @@ final class ParabolaOracle {
     return sign;
   }
 
-  private static int before(SturmPolynomial q, SturmRoot moment) {
+  /** The sign just before a moment. */
+  static int before(SturmPolynomial q, SturmRoot moment) {
     SturmPolynomial derivative = q;
     int sign = 0;
     int turn = -1;
@@ -310,15 +311,21 @@ final class ParabolaOracle {
 
   /** The first moment just after which a gap is not above 0 and falls. */
   static ParabolaContact firstFall(SturmPolynomial gap, Part part, Normal normal) {
-    List<SturmRoot> events = new ArrayList<>(List.of());
+    return firstFall(gap, gap.derivative(), part, normal);
+  }
+
+  /** The same of a gap with a rate of its own. */
+  static ParabolaContact firstFall(
+      SturmPolynomial gap, SturmPolynomial rate, Part part, Normal normal) {
+    List<SturmRoot> events = new ArrayList<>();
     events.add(null);
     events.addAll(gap.positiveRoots());
-    events.addAll(gap.derivative().positiveRoots());
+    events.addAll(rate.positiveRoots());
     SturmRoot first = null;
     boolean found = false;
     for (SturmRoot event : events) {
       boolean sooner = !found || (first != null && event.isBefore(first));
-      if (sooner && after(gap, event) < 0 && after(gap.derivative(), event) < 0) {
+      if (sooner && after(gap, event) < 0 && after(rate, event) < 0) {
         first = event;
         found = true;
       }

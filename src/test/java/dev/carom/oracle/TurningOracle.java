@@ -187,21 +187,8 @@ final class TurningOracle {
   }
 
   /** The first moment just after which one gap is not above 0 and falls. */
-  private ParabolaContact firstOf(Region region) {
-    List<SturmRoot> events = new ArrayList<>();
-    events.add(null);
-    events.addAll(region.gap().positiveRoots());
-    events.addAll(region.rate().positiveRoots());
-    SturmRoot first = null;
-    boolean isFound = false;
-    for (SturmRoot event : events) {
-      boolean isSooner = !isFound || (first != null && event.isBefore(first));
-      if (isSooner && falls(region, event)) {
-        first = event;
-        isFound = true;
-      }
-    }
-    return isFound ? new ParabolaContact(region.part(), first, null) : ParabolaContact.MISS;
+  private static ParabolaContact firstOf(Region region) {
+    return ParabolaOracle.firstFall(region.gap(), region.rate(), region.part(), null);
   }
 
   // Moments.
@@ -240,10 +227,6 @@ final class TurningOracle {
 
   private boolean falls(SturmRoot moment) {
     Region region = region(after(fromStart, moment), after(fromEnd, moment));
-    return falls(region, moment);
-  }
-
-  private static boolean falls(Region region, SturmRoot moment) {
     return after(region.gap(), moment) < 0 && after(region.rate(), moment) < 0;
   }
 
@@ -282,15 +265,7 @@ final class TurningOracle {
   }
 
   private static int before(SturmPolynomial f, SturmRoot moment) {
-    SturmPolynomial derivative = f;
-    int sign = 0;
-    int turn = -1;
-    while (sign == 0 && !derivative.isZero()) {
-      sign = sign(derivative, moment);
-      derivative = derivative.derivative();
-      turn = -turn;
-    }
-    return sign * turn;
+    return ParabolaOracle.before(f, moment);
   }
 
   // The contact.

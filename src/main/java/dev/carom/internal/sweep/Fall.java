@@ -186,27 +186,22 @@ public final class Fall {
     return turns;
   }
 
-  /** The angular velocity of an obstacle that turns. */
-  public double rate(double t) {
-    return turns ? turn.rate(t) : 0;
+  /** The velocity at a time of the point of the obstacle that is at (x, y) then. */
+  double velocityX(double y, double t) {
+    return turns ? -turn.rate(t) * (y - turn.pivotY) : ux;
   }
 
-  /** The velocity of the point of an obstacle that turns which is at (x, y) at a time. */
-  public double velocityX(double x, double y, double t) {
-    return -rate(t) * (y - turn.pivotY);
+  double velocityY(double x, double t) {
+    return turns ? turn.rate(t) * (x - turn.pivotX) : uy;
   }
 
-  public double velocityY(double x, double y, double t) {
-    return rate(t) * (x - turn.pivotX);
+  /** The place at a time of the point of the obstacle that starts at (x, y). */
+  double placeX(double x, double y, double t) {
+    return turns ? turn.at(t).placeX(x, y) : fma(ux, t, x);
   }
 
-  /** The place at a time of the point of an obstacle that turns which starts at (x, y). */
-  public double placeX(double x, double y, double t) {
-    return turn.at(t).placeX(x, y);
-  }
-
-  public double placeY(double x, double y, double t) {
-    return turn.at(t).placeY(x, y);
+  double placeY(double x, double y, double t) {
+    return turns ? turn.at(t).placeY(x, y) : fma(uy, t, y);
   }
 
   /** The same question about one end of the line alone: that in a region of {@link Gaps}. */

@@ -218,12 +218,16 @@ public final class FallSweep {
    * there the second search would see a graze.
    */
   static double searched(Fall f, int question, double of, double T) {
-    boolean isPoint = f.r + f.radius == 0 && (f.isLine || question != GapSearch.RETURN);
+    return searched(f, question, of, 0, reach(f), T);
+  }
+
+  /** The same where there is no contact but from one time on up to another one. */
+  static double searched(Fall f, int question, double of, double from, double reach, double T) {
     PrecisionCounter.SEARCHED_PARABOLAS.add();
-    double reach = reach(f);
-    double time = f.search().roughly().time(question, of, 0, reach, T);
-    boolean isOpen = Double.isNaN(time) && !isPoint;
-    return isOpen ? f.search().exactly().time(question, of, 0, reach, T) : time;
+    double time = f.search().roughly().time(question, of, from, reach, T);
+    boolean isTie = question == GapSearch.RISE || (question == GapSearch.RETURN && !f.isLine);
+    boolean isOpen = Double.isNaN(time) && (isTie || f.r + f.radius > 0);
+    return isOpen ? f.search().exactly().time(question, of, from, reach, T) : time;
   }
 
   /**

@@ -70,10 +70,10 @@ public final class Hit {
       return atEnd(f, f.bx, f.by, t);
     }
     normalOfSide(n, f, part == Contact.LEFT ? 1 : -1, t);
-    double startX = placeX(f, f.ax, f.ay, t);
-    double startY = placeY(f, f.ax, f.ay, t);
-    double endX = placeX(f, f.bx, f.by, t);
-    double endY = placeY(f, f.bx, f.by, t);
+    double startX = Coordinates.within(f.placeX(f.ax, f.ay, t));
+    double startY = Coordinates.within(f.placeY(f.ax, f.ay, t));
+    double endX = Coordinates.within(f.placeX(f.bx, f.by, t));
+    double endY = Coordinates.within(f.placeY(f.bx, f.by, t));
     double centreX = place(f.px, f.vx, f.gx, t);
     double centreY = place(f.py, f.vy, f.gy, t);
     double s = Coordinates.fraction(startX, startY, endX, endY, centreX, centreY);
@@ -90,8 +90,8 @@ public final class Hit {
 
   /** The point of an end q, or of a disk around it. */
   private Hit atEnd(Fall f, double qx, double qy, double t) {
-    double atX = placeX(f, qx, qy, t);
-    double atY = placeY(f, qx, qy, t);
+    double atX = Coordinates.within(f.placeX(qx, qy, t));
+    double atY = Coordinates.within(f.placeY(qx, qy, t));
     return f.isSegment
         ? of(f, t, atX, atY)
         : of(
@@ -154,8 +154,8 @@ public final class Hit {
   private Hit of(Fall f, double t, double atX, double atY) {
     double vx = speed(f.vx, f.gx, t);
     double vy = speed(f.vy, f.gy, t);
-    double ux = f.turns() ? f.velocityX(atX, atY, t) : f.ux;
-    double uy = f.turns() ? f.velocityY(atX, atY, t) : f.uy;
+    double ux = f.velocityX(atY, t);
+    double uy = f.velocityY(atX, t);
     double speed = -((vx - ux) * n.x() + (vy - uy) * n.y());
     if (!(Math.abs(speed) <= Double.MAX_VALUE)) {
       speed = 4 * -((vx / 4 - ux / 4) * n.x() + (vy / 4 - uy / 4) * n.y());
@@ -164,15 +164,6 @@ public final class Hit {
     y = atY;
     approachSpeed = Math.max(0, speed);
     return this;
-  }
-
-  /** The place of a point of the obstacle. */
-  private static double placeX(Fall f, double qx, double qy, double t) {
-    return f.turns() ? Coordinates.within(f.placeX(qx, qy, t)) : place(qx, f.ux, 0, t);
-  }
-
-  private static double placeY(Fall f, double qx, double qy, double t) {
-    return f.turns() ? Coordinates.within(f.placeY(qx, qy, t)) : place(qy, f.uy, 0, t);
   }
 
   private static double place(double p, double v, double g, double t) {

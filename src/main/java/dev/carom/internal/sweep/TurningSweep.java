@@ -79,20 +79,11 @@ final class TurningSweep {
     return time > back ? time : GapSearch.DOUBT;
   }
 
-  /**
-   * The answer of the second rung, see {@link FallSweep}; NaN if it leaves it open. The gap of a
-   * point does not fall below 0 at a line.
-   */
+  /** The answer of the second rung in what is left of the window; NaN if it leaves it open. */
   private static double searched(Fall f, int question, double of, double from, double T) {
-    PrecisionCounter.SEARCHED_PARABOLAS.add();
-    double reach =
-        T > GapRoot.EARLIEST
-            ? f.turnWindow().to
-            : PART / (Math.abs(f.turn.q1) + Math.abs(f.turn.q2));
-    boolean isPoint = f.r + f.radius == 0 && (f.isLine || question != GapSearch.RETURN);
-    double time = f.search().roughly().time(question, of, from, reach, T);
-    boolean isOpen = Double.isNaN(time) && (!isPoint || question == GapSearch.RISE);
-    return isOpen ? f.search().exactly().time(question, of, from, reach, T) : time;
+    double part = PART / (Math.abs(f.turn.q1) + Math.abs(f.turn.q2));
+    double reach = T > GapRoot.EARLIEST ? f.turnWindow().to : part;
+    return FallSweep.searched(f, question, of, from, reach, T);
   }
 
   /**
