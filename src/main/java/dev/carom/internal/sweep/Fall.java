@@ -186,6 +186,12 @@ public final class Fall {
     return turns;
   }
 
+  /** Whether the end of the obstacle in a region of {@link Gaps} does not turn: at the pivot. */
+  boolean rests(int region) {
+    boolean isEnd = region == Gaps.BEYOND;
+    return !turns || ((isEnd ? bx : ax) == turn.pivotX && (isEnd ? by : ay) == turn.pivotY);
+  }
+
   /** The velocity at a time of the point of the obstacle that is at (x, y) then. */
   double velocityX(double y, double t) {
     return turns ? -turn.rate(t) * (y - turn.pivotY) : ux;

@@ -279,6 +279,9 @@ final class GapSearch {
     double width = 0.5 * Math.ulp(t);
     int before = projection.signAt(t, -width);
     int after = projection.signAt(t, width);
+    if (before * after == -1 && isTouchedAlways(region)) {
+      return growth(projection).signNear(t) == UNKNOWN ? UNKNOWN : 0;
+    }
     if (before == after || !fallsNear(Gaps.BESIDE, t) || !fallsNear(region, t)) {
       return before == after ? before : UNKNOWN;
     }
@@ -479,6 +482,12 @@ final class GapSearch {
 
   /** The time of contact in the interval; NEVER for none, {@link #HALVE} or NaN if it is open. */
   private double contact() {
+    if (open == 1 << Gaps.BESIDE && !isOne(possible)) {
+      int end = Integer.numberOfTrailingZeros(possible & ~open);
+      if (isOne(possible & ~open) && isTouchedAlways(end)) {
+        return fromEndOn(end);
+      }
+    }
     double time = DOUBT;
     for (int region = 0; region < REGIONS; region++) {
       if (isIn(open, region)) {
@@ -491,6 +500,32 @@ final class GapSearch {
       }
     }
     return time == NEVER || open == possible ? time : HALVE;
+  }
+
+  /** Whether the gap of an end is 0 all the time, as of a disk at rest that touches the pivot. */
+  private boolean isTouchedAlways(int end) {
+    return end != counted && gap(end).isExact() && gap(end).isZero();
+  }
+
+  /**
+   * The contact with a line, an end of which is touched all the time. By Pythagoras the gap of the
+   * side is less than that of the end by the square of the projection: it falls from when on the
+   * centre comes beside the line.
+   */
+  private double fromEndOn(int end) {
+    GapPolynomial projection = end == Gaps.BEFORE ? fromStart : fromEnd;
+    int first = low == 0 ? projection.signAtStart() : projection.signAt(low, 0);
+    int way = growth(projection).sign(low, high);
+    if (first * projection.signAt(high, 0) != -1 || way == 0) {
+      return HALVE;
+    }
+    boolean isLeaving = first == (end == Gaps.BEFORE ? 1 : -1);
+    return isLeaving || isEntry ? NEVER : projection.nearestRoot(first, low, high);
+  }
+
+  /** A polynomial with the sign of the rate of a projection. */
+  private GapPolynomial growth(GapPolynomial projection) {
+    return gaps.rate(projection, Gaps.BEFORE, GapPolynomial::derivative);
   }
 
   private double contact(int region) {
@@ -667,20 +702,23 @@ final class GapSearch {
   /**
    * Whether the centre moves on one straight line, and that passes an end of the line, or a disk,
    * at a distance of the radius or more: {@code s x g = 0} and {@code (d x g)^2 >= r^2 g.g}. It
-   * grazes that at most.
+   * grazes that at most. Of what turns only an end at the pivot, which rests, is known to be passed
+   * so; straight on, s takes the place of g.
    */
   private boolean isPassed(int region) {
-    if (gaps == null || region == Gaps.BESIDE || region == counted || turns) {
+    if (gaps == null || region == Gaps.BESIDE || region == counted || !fall.rests(region)) {
       return false;
     }
-    GapPolynomial x = gaps.x(region);
-    GapPolynomial y = gaps.y(region);
+    Gaps<GapPolynomial> still = fall.gaps(GapPolynomial.EXACT, new Gaps<>());
+    GapPolynomial x = still.x(region);
+    GapPolynomial y = still.y(region);
     GapPolynomial speedX = x.derivative();
     GapPolynomial speedY = y.derivative();
-    GapPolynomial gx = speedX.derivative();
-    GapPolynomial gy = speedY.derivative();
+    boolean isStraight = fall.gx == 0 && fall.gy == 0;
+    GapPolynomial gx = isStraight ? speedX : speedX.derivative();
+    GapPolynomial gy = isStraight ? speedY : speedY.derivative();
     GapPolynomial aside = x.times(gy).minus(y.times(gx));
-    GapPolynomial reach = gaps.r().times(gaps.r()).times(gx.times(gx).plus(gy.times(gy)));
+    GapPolynomial reach = still.r().times(still.r()).times(gx.times(gx).plus(gy.times(gy)));
     int clearance = aside.times(aside).minus(reach).signAtStart();
     return speedX.times(gy).minus(speedY.times(gx)).isZero() && (clearance == 0 || clearance == 1);
   }

@@ -6,7 +6,6 @@ import static org.assertj.core.api.Assertions.within;
 
 import dev.carom.internal.exact.ExactBudget;
 import dev.carom.internal.exact.PrecisionCounter;
-import dev.carom.internal.exact.RealRoot;
 import java.util.Arrays;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.condition.EnabledIfSystemProperty;
@@ -21,6 +20,7 @@ import org.junit.jupiter.params.provider.ValueSource;
 class TurningTiesTest {
   private static final int FIRST = 0;
   private static final int RETURN = 1;
+  private static final double NEVER = Double.POSITIVE_INFINITY;
 
   /** A ball above an end, and one on the line with its centre, when a flipper starts to turn. */
   @ParameterizedTest
@@ -54,6 +54,34 @@ class TurningTiesTest {
     decidedEarly(FIRST, 0.25, numbers);
   }
 
+  /** It comes over the ball, which has the projection 0 then; or it goes away. */
+  @Test
+  void aDiskAtRestThatTouchesThePivotIsHitWhenItComesBesideTheLine() {
+    decidedEarly(
+        FIRST,
+        0.75,
+        "0.3169750908485516 -8.924377271213771 6 -7 0 6 -6 1"
+            + " 0 0 0 0 6 -7 -0.12378647285642475 -0.19923132107220645 0 3.75");
+    decidedEarly(
+        FIRST,
+        NEVER,
+        "5 3 8.165237808096817 7.356749891627296 0 5 4 1"
+            + " 0 0 0 0 5 3 -0.1778917987489006 -0.10105148074695083 0 5.25");
+  }
+
+  /** The end at the pivot rests. It is passed at a distance of the radius, at no double. */
+  @ParameterizedTest
+  @ValueSource(
+      strings = {
+        "-4.000000000000002 7 -4 1 0 -3 4 1"
+            + " 0 -1 0 -1 -4 1 -0.02537348916290441 0.12756114412169658 0 3",
+        "6 -7 5 -12 0 3.3 -6 1 0.7 0 0 0 6 -7 -0.02537348916290441 0.12756114412169658 0 5",
+        "5 -12 6 -7 0 6.5 3 0.5 0 -1 0 -0.3 6 -7 -0.02537348916290441 -0.12756114412169658 0 6"
+      })
+  void aGrazeOfThePivotIsNoContact(String numbers) {
+    decidedEarly(FIRST, NEVER, numbers);
+  }
+
   /** A search asks a bit beyond the end of its window: here beyond 0. */
   @ParameterizedTest
   @ValueSource(
@@ -64,19 +92,22 @@ class TurningTiesTest {
             + " 4.9e-324"
       })
   void aReturnInAWindowOfNoLengthIsDecidedByRoundedNumbers(String numbers) {
-    decidedEarly(RETURN, Double.POSITIVE_INFINITY, numbers);
+    decidedEarly(RETURN, NEVER, numbers);
   }
 
   private static void decidedEarly(int kind, double time, String numbers) {
+    double[] n = numbers(numbers);
     long before = PrecisionCounter.EXACT_PARABOLAS.count();
-    double[] said = TurningFalls.answer(kind, numbers(numbers));
+    double[] said = TurningFalls.answer(kind, n);
     assertThat(PrecisionCounter.EXACT_PARABOLAS.count()).isEqualTo(before);
-    if (kind == FIRST) {
-      assertThat(said[0]).isCloseTo(time, within(1e-12));
-      RealRoot root = TurningFalls.root(said[0], numbers(numbers));
-      assertThat(said[1]).isEqualTo(TurningFalls.exactContact(root, numbers(numbers)));
+    assertThat(said[0]).isEqualTo(TurningFalls.exactTime(kind, n));
+    if (time == NEVER) {
+      assertThat(said[0]).isEqualTo(time);
     } else {
-      assertThat(said[0]).isEqualTo(TurningFalls.exactTime(kind, numbers(numbers))).isEqualTo(time);
+      assertThat(said[0]).isCloseTo(time, within(1e-12));
+    }
+    if (kind == FIRST && time < NEVER) {
+      assertThat(said[1]).isEqualTo(TurningFalls.exactContact(TurningFalls.root(said[0], n), n));
     }
   }
 
