@@ -88,11 +88,18 @@ final class TurningSweep {
 
   /**
    * The side of a line that is hit after a contact with a side; 0 in doubt. If it is the other one,
-   * the disk may have come round an end, or be a point that was there by rounding.
+   * the disk may have come round an end, or be a point that was there by rounding; or the centre is
+   * on the line.
    */
   static int side(Fall f, double t) {
-    int side = f.side(t);
-    return side == FallReturn.side(f) ? side : 0;
+    int side = FallReturn.side(f);
+    return f.side(t) == side || back(f, side, t) == t ? side : 0;
+  }
+
+  /** When the disk is again as high above a side, soon after a time at the latest. */
+  private static double back(Fall f, int side, double t) {
+    double end = Fall.MORE * t;
+    return f.search().exactly().time(GapSearch.RISE, side, 0, end, end);
   }
 
   /**

@@ -82,6 +82,16 @@ class TurningTiesTest {
     decidedEarly(FIRST, NEVER, numbers);
   }
 
+  /** Its centre is on the line when it is hit, as at the start. */
+  @Test
+  void theSideThatADiskComesBackToIsTheOneThatItLeft() {
+    String numbers =
+        "-3.0000000000000013 -4 -1 -8 0 -2 -6 1 1.0606601717798214 0.530330085889911"
+            + " 0 0 -1 -8 -0.0732233047033631 -0.1767766952966369 0 4";
+    decidedEarly(RETURN, 2.1679434646041313, numbers);
+    assertThat(TurningFalls.answer(RETURN, numbers(numbers))[1]).isEqualTo(Contact.LEFT);
+  }
+
   /** A search asks a bit beyond the end of its window: here beyond 0. */
   @ParameterizedTest
   @ValueSource(
