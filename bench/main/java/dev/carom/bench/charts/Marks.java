@@ -26,23 +26,7 @@ public final class Marks {
   private static final double OUR_RADIUS = 7;
 
   private static final List<Color> COLORS =
-      List.of(
-          Style.ORANGE,
-          Style.GREEN,
-          Style.VERMILION,
-          Style.PURPLE,
-          Style.SKY,
-          Style.INK,
-          Style.BROWN,
-          Style.TEAL,
-          Style.BRICK,
-          Style.PLUM,
-          Style.SLATE,
-          Style.OLIVE,
-          Style.STONE,
-          Style.ROSE,
-          Style.MOSS,
-          Style.SAND);
+      List.of(Style.ORANGE, Style.GREEN, Style.VERMILION, Style.SKY, Style.PURPLE, Style.INK);
 
   /** Corners, and how far the first one is turned from straight up; a star has its notches. */
   private static final List<Shape> SHAPES =
@@ -95,7 +79,7 @@ public final class Marks {
       if (isOurs(method)) {
         marks.put(method, new Mark(Style.BLUE, circle(OUR_RADIUS), false));
       } else {
-        // 16 and 7 have no common divisor: 112 pairs.
+        // 6 and 7 have no common divisor: 42 pairs.
         Color color = COLORS.get(next % COLORS.size());
         Shape shape = SHAPES.get(next % SHAPES.size());
         marks.put(method, new Mark(color, shape, next % 2 == 1));

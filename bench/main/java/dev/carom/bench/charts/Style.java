@@ -72,36 +72,6 @@ public final class Style {
   /** Okabe-Ito yellow: for areas only, since lines in it vanish on paper. */
   public static final Color YELLOW = new Color(0xF0E442);
 
-  /** Darker and duller than those of Okabe and Ito, for methods beyond the first six. */
-  public static final Color BROWN = new Color(0x8C6100);
-
-  /** A dark bluish green. */
-  public static final Color TEAL = new Color(0x005F46);
-
-  /** A dark vermilion. */
-  public static final Color BRICK = new Color(0x8A3B00);
-
-  /** A dark reddish purple. */
-  public static final Color PLUM = new Color(0x84406A);
-
-  /** A dark sky blue. */
-  public static final Color SLATE = new Color(0x3C6E8F);
-
-  /** A dark yellow. */
-  public static final Color OLIVE = new Color(0x807A12);
-
-  /** A grey. */
-  public static final Color STONE = new Color(0x7D8790);
-
-  /** A light vermilion. */
-  public static final Color ROSE = new Color(0xE58F65);
-
-  /** A light green. */
-  public static final Color MOSS = new Color(0x7FB77E);
-
-  /** A light brown. */
-  public static final Color SAND = new Color(0xC9A66B);
-
   /** The background. */
   public static final Color PAPER = new Color(0xFAF9F5);
 

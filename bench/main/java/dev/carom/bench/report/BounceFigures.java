@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 package dev.carom.bench.report;
 
-import dev.carom.bench.charts.BounceChart;
 import dev.carom.bench.charts.Curve;
-import dev.carom.bench.charts.Panel;
+import dev.carom.bench.charts.CurveChart;
+import dev.carom.bench.charts.CurveChart.Unit;
 import dev.carom.bench.results.Results;
 import dev.carom.bench.results.Setting;
 import java.util.ArrayList;
@@ -51,8 +51,14 @@ final class BounceFigures {
     if (curves.isEmpty()) {
       return List.of();
     }
-    BounceChart chart =
-        new BounceChart(caption(all), Settings.marks(results), curves.values().stream().toList());
+    CurveChart chart =
+        new CurveChart(
+                caption(all),
+                Settings.marks(results),
+                Unit.SHARE,
+                "error of the energy",
+                Map.of("", List.copyOf(curves.values())))
+            .alongCounts("number of bounces");
     return List.of(
         new Figure(
             "bounce",
@@ -60,7 +66,7 @@ final class BounceFigures {
             title(curves),
             "A ball under gravity on a level floor; its energy should not change. The worst error so far, of each engine at its better setting. At 100 % the ball lies still or bounces twice as high.",
             caption(all),
-            List.of(new Panel("", chart.picture())),
+            chart.panels(),
             table.build()));
   }
 

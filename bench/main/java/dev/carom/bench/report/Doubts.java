@@ -18,7 +18,7 @@ final class Doubts {
             + " GrowthBenchmark.positions).",
         "Who says what is true? A program of its own, also by the authors of Carom: it computes in"
             + " as many digits as it takes, and shares no arithmetic with Carom.",
-        "Are the engines treated fairly? Each stands twice, at its defaults and tuned: as small"
+        "Are the engines treated fairly? Tables have each twice, at its defaults and tuned: as small"
             + " tolerances, no sleep and no lost speed as its settings allow. We may have missed a"
             + " better setting. They do more than Carom does: rotation, friction, polygons, joints,"
             + " stacks; none of that is used here.",

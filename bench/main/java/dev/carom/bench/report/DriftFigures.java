@@ -2,7 +2,8 @@
 package dev.carom.bench.report;
 
 import dev.carom.bench.charts.Curve;
-import dev.carom.bench.charts.DriftChart;
+import dev.carom.bench.charts.CurveChart;
+import dev.carom.bench.charts.CurveChart.Unit;
 import dev.carom.bench.results.Results;
 import dev.carom.bench.results.Setting;
 import java.util.ArrayList;
@@ -10,7 +11,6 @@ import java.util.Arrays;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
-import java.util.Set;
 
 /** Charts of a run frame by frame: trajectory, energy, penetration, and the horizons. */
 final class DriftFigures {
@@ -23,9 +23,6 @@ final class DriftFigures {
     PANELS.put(Metrics.PENETRATION_DRIFT, "Penetration so far, in radii");
   }
 
-  /** Scenes whose pictures would look as that of the first one does. */
-  private static final Set<String> REPEATED = Set.of("base-2", "base-3", "base-1-r5");
-
   private static final int TABLE_ROWS = 5;
 
   private final Results results;
@@ -37,8 +34,7 @@ final class DriftFigures {
   List<Figure> figures() {
     return PANELS.keySet().stream()
         .flatMap(metric -> results.scenes(metric).stream())
-        .distinct()
-        .filter(scene -> !REPEATED.contains(scene))
+        .limit(1) // those of other scenes look as this one does
         .map(this::figure)
         .toList();
   }
@@ -59,9 +55,15 @@ final class DriftFigures {
     Map<String, Double> horizons = horizons(scene);
     double limit = horizon(scene, new Setting(Metrics.NEIGHBOUR, ""));
     String told = told(horizons, limit);
-    DriftChart chart =
-        new DriftChart(
-            "Scene " + scene + ", frame by frame. " + told, Settings.marks(results), panels, limit);
+    CurveChart chart =
+        new CurveChart(
+                "Scene " + scene + ", frame by frame. " + told,
+                Settings.marks(results),
+                Unit.POWER,
+                null,
+                panels)
+            .along("frame")
+            .place(limit, "off by 1 bit");
     return new Figure(
         "drift-" + scene,
         "The course of a run: " + scene,

@@ -45,16 +45,6 @@ final class Page {
     NAMES.put(Style.VERMILION, "vermilion");
     NAMES.put(Style.PURPLE, "purple");
     NAMES.put(Style.YELLOW, "yellow");
-    NAMES.put(Style.BROWN, "brown");
-    NAMES.put(Style.TEAL, "teal");
-    NAMES.put(Style.BRICK, "brick");
-    NAMES.put(Style.PLUM, "plum");
-    NAMES.put(Style.SLATE, "slate");
-    NAMES.put(Style.OLIVE, "olive");
-    NAMES.put(Style.STONE, "stone");
-    NAMES.put(Style.ROSE, "rose");
-    NAMES.put(Style.MOSS, "moss");
-    NAMES.put(Style.SAND, "sand");
   }
 
   private static final Pattern STYLE = Pattern.compile("style='([^']*)'");
@@ -276,11 +266,7 @@ final class Page {
       table(price.frames(), "Time and worst error of a frame", none -> "");
     }
     QueryFigures questions = new QueryFigures(results);
-    if (!questions.table().rows().isEmpty()) {
-      html.append("<details><summary>").append(text(questions.sentence())).append("</summary>\n");
-      table(questions.table(), "Time and error of a question", none -> "");
-      html.append("</details>\n");
-    }
+    folded(questions.sentence(), questions.table(), "Time and error of a question");
     decisions();
   }
 
@@ -319,11 +305,7 @@ final class Page {
     group("needs");
     figure("features");
     RungShares rungs = new RungShares(results);
-    if (!rungs.table().rows().isEmpty()) {
-      html.append("<details><summary>").append(text(rungs.sentence())).append("</summary>\n");
-      table(rungs.table(), "Which precision decided", none -> "");
-      html.append("</details>\n");
-    }
+    folded(rungs.sentence(), rungs.table(), "Which precision decided");
   }
 
   private void stability() {
@@ -344,9 +326,7 @@ final class Page {
       }
       html.append("</div>\n");
     }
-    List<String> drifts = figures.keySet().stream().filter(id -> id.startsWith("drift-")).toList();
-    drifts.stream().limit(1).forEach(this::figure);
-    drifts.stream().skip(1).forEach(this::folded);
+    figures.keySet().stream().filter(id -> id.startsWith("drift-")).forEach(this::figure);
     figure("heap");
     figure("bounce");
     figure("trust");
@@ -442,14 +422,11 @@ final class Page {
     return figure.panels().size() < 3 ? "grid large" : "grid";
   }
 
-  /** One that repeats another, or goes into details: its title stands, and opens it. */
-  private void folded(String id) {
-    Figure figure = figures.get(id);
-    if (figure != null) {
-      html.append("<details><summary>")
-          .append(text(figure.heading() + ": " + figure.title()))
-          .append("</summary>\n");
-      figure(id);
+  /** A table that a sentence opens; nothing if it is empty. */
+  private void folded(String sentence, ReportTable table, String label) {
+    if (!table.rows().isEmpty()) {
+      html.append("<details><summary>").append(text(sentence)).append("</summary>\n");
+      table(table, label, none -> "");
       html.append("</details>\n");
     }
   }

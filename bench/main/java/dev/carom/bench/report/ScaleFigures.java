@@ -2,7 +2,9 @@
 package dev.carom.bench.report;
 
 import dev.carom.bench.charts.Curve;
-import dev.carom.bench.charts.ScaleChart;
+import dev.carom.bench.charts.CurveChart;
+import dev.carom.bench.charts.CurveChart.Unit;
+import dev.carom.bench.replay.Budget;
 import dev.carom.bench.report.ScaleTimes.Per;
 import dev.carom.bench.results.Results;
 import dev.carom.bench.results.Setting;
@@ -45,9 +47,16 @@ public final class ScaleFigures {
         panels.put(model.title(), curves.stream().map(ScaleFigures::unset).toList());
       }
     }
-    ScaleChart chart =
-        new ScaleChart(
-            "Time against the number of circles.", Settings.marks(results), panels, limit);
+    CurveChart chart =
+        new CurveChart(
+                "Time against the number of circles.",
+                Settings.marks(results),
+                Unit.TIME,
+                "time of a frame",
+                panels)
+            .alongCounts("number of circles")
+            .level(1e6 * Budget.MILLIS, "60 FPS")
+            .limit(limit);
     String caption =
         "Time of a frame, of an impact and of a circle against the number of circles, by each method up to where one frame takes longer than %s. "
                 .formatted(ReportNumbers.time(limit))
@@ -57,28 +66,11 @@ public final class ScaleFigures {
             "scale",
             "Many circles",
             growth.title(),
-            "Equal density in all scenes; engines at their defaults. A crossed ring: a frame took longer than %s, and larger scenes were not played.%s"
-                .formatted(ReportNumbers.time(limit), busy()),
+            "Equal density in all scenes; engines at their defaults. A crossed ring: a frame took longer than %s, and larger scenes were not played."
+                .formatted(ReportNumbers.time(limit)),
             caption.strip(),
             chart.panels(),
             table()));
-  }
-
-  /** How much happens among circles that collide, or nothing. */
-  private String busy() {
-    return times.curves(Model.GAS, Per.FRAME).stream()
-        .filter(curve -> curve.method().equals(Metrics.OURS) && curve.x().length > 0)
-        .findFirst()
-        .map(
-            curve ->
-                times.impacts(ScaleTimes.scene(Model.GAS, curve.x()[0]), Metrics.CAROM)
-                    / curve.x()[0])
-        .filter(each -> each > 0)
-        .map(
-            each ->
-                " Colliding circles have %s impacts each in a frame."
-                    .formatted(ReportNumbers.ratio(Math.round(100 * each) / 100.0)))
-        .orElse("");
   }
 
   /** Each method stands there in one setting: it needs no name. */

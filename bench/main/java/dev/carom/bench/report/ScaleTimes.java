@@ -26,8 +26,7 @@ final class ScaleTimes {
   /** The divisor of a time. */
   enum Per {
     FRAME("a frame"),
-    IMPACT("an impact"),
-    CIRCLE("a circle and frame");
+    IMPACT("an impact");
 
     final String words;
 
@@ -53,18 +52,6 @@ final class ScaleTimes {
 
   private static String prefix(Model model) {
     return Scale.SCENE + model.label() + "=";
-  }
-
-  /** How many virtual machines measured. */
-  int forks() {
-    return results.scenes(Scale.TIME).stream()
-        .flatMap(
-            scene ->
-                results.settings(scene, Scale.TIME).stream()
-                    .flatMap(s -> results.spread(scene, s, Scale.TIME, "median").stream()))
-        .mapToInt(Spread::forks)
-        .max()
-        .orElse(0);
   }
 
   /** The lines of a model; at the last place of one that took too long it is NaN. */
@@ -125,12 +112,7 @@ final class ScaleTimes {
     double[][] values = new double[3][x.length];
     for (int i = 0; i < x.length; i++) {
       String scene = scene(model, x[i]);
-      double share =
-          switch (per) {
-            case FRAME -> 1;
-            case IMPACT -> impacts(scene, setting);
-            case CIRCLE -> x[i];
-          };
+      double share = per == Per.FRAME ? 1 : impacts(scene, setting);
       double[] times = times(scene, setting);
       for (int k = 0; k < times.length; k++) {
         values[k][i] = times[k] / share;

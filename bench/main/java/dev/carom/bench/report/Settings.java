@@ -78,7 +78,9 @@ final class Settings {
 
   /** Marks that do not depend on the order of the rows. */
   static Marks marks(Results results) {
-    return new Marks(results.methods().stream().sorted().toList(), Glossary::name);
+    return new Marks(
+        results.methods().stream().filter(m -> !IN_TABLES_ONLY.contains(m)).sorted().toList(),
+        Glossary::name);
   }
 
   private static double number(Setting setting) {

@@ -13,10 +13,9 @@ import java.util.stream.Stream;
  *
  * @param setting the method and its knob
  * @param error its worst error of one frame in radii; NaN if it failed
- * @param usual the 99.9th percentile of its errors, NaN if it was not measured
  * @param time of a frame: the medians of the forks
  */
-record Standing(Setting setting, double error, double usual, Spread time) {
+record Standing(Setting setting, double error, Spread time) {
 
   private static final Spread NO_TIME = new Spread(Double.NaN, Double.NaN, Double.NaN, 0, 0);
 
@@ -39,7 +38,6 @@ record Standing(Setting setting, double error, double usual, Spread time) {
     return new Standing(
         setting,
         results.value(scene, setting, Metrics.FRAME_ERROR, "max"),
-        results.value(scene, setting, Metrics.FRAME_ERROR, "p99.9"),
         results.spread(scene, setting, Metrics.FRAME_TIME, "median").orElse(NO_TIME));
   }
 

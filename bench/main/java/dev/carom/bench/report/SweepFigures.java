@@ -2,7 +2,8 @@
 package dev.carom.bench.report;
 
 import dev.carom.bench.charts.Curve;
-import dev.carom.bench.charts.SweepChart;
+import dev.carom.bench.charts.CurveChart;
+import dev.carom.bench.charts.CurveChart.Unit;
 import dev.carom.bench.replay.Budget;
 import dev.carom.bench.results.Results;
 import dev.carom.bench.results.Setting;
@@ -22,7 +23,7 @@ public final class SweepFigures {
 
   static {
     PANELS.put("circles", "number of circles");
-    PANELS.put("radius", "radius of the circles, in px");
+    PANELS.put("radius", "radius in px");
     PANELS.put("lines", "number of lines");
     PANELS.put("impacts", "number of impacts in it");
   }
@@ -53,17 +54,19 @@ public final class SweepFigures {
         (axis, name) -> {
           List<Curve> curves = curves(axis);
           if (!curves.isEmpty()) {
-            panels.put(name, curves);
+            panels.put("Time of a frame against the " + name, curves);
           }
         });
     String title = title();
-    SweepChart chart =
-        new SweepChart(
-            "Time of a frame against circles, radius, lines and impacts.",
-            Settings.marks(results),
-            panels,
-            1e6 * Budget.MILLIS,
-            1e9 / Budget.PUBLISHED_FPS);
+    CurveChart chart =
+        new CurveChart(
+                "Time of a frame against circles, radius, lines and impacts.",
+                Settings.marks(results),
+                Unit.TIME,
+                null,
+                panels)
+            .level(1e9 / Budget.PUBLISHED_FPS, "published: 19.2 frames/s")
+            .levelBelow(1e6 * Budget.MILLIS, "goal: 60 frames/s");
     String caption =
         "Time of a frame against circles, radius, lines and impacts, with the published 19.2 frames per second and the goal of 60. "
             + title

@@ -2,7 +2,9 @@
 package dev.carom.bench.report;
 
 import dev.carom.bench.charts.Curve;
-import dev.carom.bench.charts.TrustChart;
+import dev.carom.bench.charts.CurveChart;
+import dev.carom.bench.charts.CurveChart.Unit;
+import dev.carom.bench.charts.Marks;
 import dev.carom.bench.results.Results;
 import java.util.ArrayList;
 import java.util.Arrays;
@@ -12,6 +14,13 @@ import java.util.Map;
 
 /** The errors that carom predicts for its places, against the true ones. */
 final class TrustFigures {
+
+  private static final String ERROR = "error";
+
+  private static final Marks MARKS =
+      new Marks(
+          List.of(Metrics.OURS, ERROR),
+          line -> line.equals(Metrics.OURS) ? "predicted" : "true error");
 
   private final Results results;
 
@@ -25,12 +34,15 @@ final class TrustFigures {
     if (scenes.isEmpty()) {
       return List.of();
     }
-    Map<String, Curve> panels = new LinkedHashMap<>();
+    Map<String, List<Curve>> panels = new LinkedHashMap<>();
     ReportTable.Builder table =
         new ReportTable.Builder("scene", "true error", "bound, 5 %", "median", "95 %");
     for (String scene : scenes) {
       Curve curve = curve(scene);
-      panels.put((scene.equals("falling") ? "With gravity" : "Without gravity"), curve);
+      double[] x = curve.x();
+      panels.put(
+          scene.equals("falling") ? "With gravity" : "Without gravity",
+          List.of(curve, new Curve(ERROR, "", x, x, x, x)));
       for (int i = 0; i < curve.x().length; i++) {
         table.row(
             scene,
@@ -48,7 +60,9 @@ final class TrustFigures {
             title(scenes),
             "Carom can tell, for each place, how wrong it is at most. Line: median of that bound; band: 5 to 95 % of the places. It has to stand above the true error.",
             "The predicted bound of the error against the true error. " + told,
-            new TrustChart(told, panels).panels(),
+            new CurveChart(told, MARKS, Unit.POWER, "error, in radii", panels)
+                .alongPowers("true error of a place, in radii")
+                .panels(),
             table.build()));
   }
 
