@@ -30,15 +30,6 @@ final class HalfPlanes {
     count = 0;
   }
 
-  int size() {
-    return count;
-  }
-
-  /** Forgets all but the first n. */
-  void cut(int n) {
-    count = n;
-  }
-
   void add(double normalX, double normalY, double bound) {
     if (count == nx.length) {
       nx = Arrays.copyOf(nx, 2 * count);

@@ -139,12 +139,11 @@ final class ImpactRule {
     return 2 * ContactLaw.ULPS * Math.ulp(size(m)) / m.radius;
   }
 
-  /** The rule for a circle that meets an obstacle; flat: a side, on no other one. */
-  int of(MovingCircle m, boolean flat, double e, double approach, double pull) {
-    return of(m, flat, e, approach, pull, gravity.size());
-  }
-
-  /** The same where the pull is part of one of a given size. */
+  /**
+   * The rule for a circle that meets an obstacle; flat: a side, on no other one.
+   *
+   * @param size the size of what the pull is a part of
+   */
   int of(MovingCircle m, boolean flat, double e, double approach, double pull, double size) {
     boolean pressed = isPressed(m, pull, size);
     double up = e * approach;

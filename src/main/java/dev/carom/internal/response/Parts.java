@@ -807,27 +807,27 @@ final class Parts {
 
   /** Whether a place is where a one-way line, or a side of a polygon, is solid from. */
   private boolean isBeyond(int side, double px, double py) {
-    double height = (py - y[side]) * dx[side] - (px - x[side]) * dy[side];
-    return obstacles.outside(code[side]) < 0 ? height < 0 : height > 0;
+    return height(side, px, py) > 0;
   }
 
-  /** At an outer corner of a polygon a place is outside of one of its sides, else of both. */
+  /** How far a place is from a side, on the side that is solid for it. */
+  private double height(int side, double px, double py) {
+    double height = (py - y[side]) * dx[side] - (px - x[side]) * dy[side];
+    return obstacles.outside(code[side]) < 0 ? -height : height;
+  }
+
+  /**
+   * The same at a vertex, where a place projects on none of its sides. It is between the normals of
+   * two sides of a polygon, outside or inside of both: so their heights have the sum's sign.
+   */
   private boolean isSolidAtEnd(int vertex, int side, double px, double py) {
-    int outside = obstacles.outside(code[side]);
-    if (outside == 0) {
-      return isBeyond(side, px, py);
-    }
-    boolean atStart = links[side][0] == vertex;
-    int its = obstacles.neighbor(code[side], atStart);
-    for (int other : links[vertex]) {
-      if (code[other] == its) {
-        double turn = dx[other] * dy[side] - dy[other] * dx[side];
-        boolean isOuter = outside * (atStart ? turn : -turn) < 0;
-        boolean first = isBeyond(side, px, py);
-        boolean second = isBeyond(other, px, py);
-        return isOuter ? first || second : first && second;
+    double sum = height(side, px, py);
+    if (obstacles.outside(code[side]) != 0) {
+      int its = obstacles.neighbor(code[side], links[side][0] == vertex);
+      for (int other : links[vertex]) {
+        sum += code[other] == its ? height(other, px, py) : 0;
       }
     }
-    return isBeyond(side, px, py);
+    return sum > 0;
   }
 }

@@ -316,12 +316,8 @@ public final class Shock {
   /** Finds the velocities; false if some contact still approaches. */
   private boolean solve() {
     System.arraycopy(before, 0, after, 0, before.length);
-    if (isSolved()) {
-      clearImpulses();
-      return true;
-    }
     int[] free = IntStream.range(0, bodies.size()).filter(k -> weight(k) > 0).toArray();
-    if (free.length == 0) {
+    if (free.length == 0 || isSolved()) {
       clearImpulses();
       return true;
     }
