@@ -84,6 +84,7 @@ class ContactMeetingsTest {
     assertThat(run.world.x(1)).isEqualTo(1, within(1e-12));
   }
 
+  @SuppressWarnings("ImmutableEnumChecker") // each ball is added by a function without state
   private enum Ground {
     TABLE(s -> s.circle(-10, 1, 1, 1.5, 0), -50, 0, 0, 0, 0, -40, -50, -40),
     ROOF(s -> s.circle(0.001, 12, 1, 0, 0), 0, 10, -10, 0, -10, -5, 10, -5, 10, 0),
@@ -132,6 +133,7 @@ class ContactMeetingsTest {
     }
   }
 
+  @SuppressWarnings("ImmutableEnumChecker") // each motion is started by a function without state
   private enum Motion {
     WEDGE_GOES(-10, w -> w.moveTo(Kind.LINE, 0, -5, 12, 7)),
     WEDGE_TURNS(-10, w -> w.turn(Kind.LINE, 0, 0, 0, 0.3, 7)),

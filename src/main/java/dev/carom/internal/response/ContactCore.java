@@ -949,9 +949,6 @@ public final class ContactCore {
       parts.update();
     }
     isRestored = true;
-    if (nextTick() < now || (graph.awake > 0 && clock.tau == 0)) {
-      restart(now);
-    }
   }
 
   private void sortByRank() {
@@ -982,16 +979,5 @@ public final class ContactCore {
       p.bore[from + k] = ((int) row[at + ContactRow.FLAGS] & 1) != 0;
       p.through[from + k] = ((int) row[at + ContactRow.FLAGS] & 2) != 0;
     }
-  }
-
-  /** Starts the clock for members of the past, of which no tick is known. */
-  private void restart(double now) {
-    clock.tau = Math.ulp(now);
-    for (int k = 0; k < graph.awake; k++) {
-      int i = graph.order[k];
-      members.pull[i] = pull(i, now);
-      clock.pull = Math.max(clock.pull, members.pull[i]);
-    }
-    clock.start(shortestTick(), now);
   }
 }
