@@ -105,13 +105,14 @@ class WorldFuzzTest {
    * 4,600 a ball that leans on another one rests on a slope, and that one rolls away. In 2,359 an
    * infinite mass meets a heap and loses the line behind it; in 2,821 a ball leans on a sensor; in
    * 3,309 what a ball leans on is moved after a restore. In 6,137 what is squeezed after others
-   * were removed goes on otherwise when it is restored.
+   * were removed goes on otherwise when it is restored. In 60,014 a squeezed circle flies aside as
+   * fast as what moves lets it.
    */
   @ParameterizedTest
   @ValueSource(
       longs = {
         110_175, 120_123, 140_018, 127, 235, 1_263, 1_519, 2_611, 3_151, 285, 4_031, 4_600, 2_359,
-        2_821, 3_309, 6_137
+        2_821, 3_309, 6_137, 60_014
       })
   void whatWasFoundUnderGravityIsFoundNoMore(long seed) throws FindingException {
     WorldFuzz fuzz = new WorldFuzz();
