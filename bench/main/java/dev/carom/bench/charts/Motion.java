@@ -37,13 +37,16 @@ public final class Motion {
   private static final double WIDTH = 440;
   private static final double GAP = 20;
   private static final double HEAD = 44;
+  private static final double FOOT = 28;
+
+  private static final double FRAMES_A_SECOND = 60;
 
   private static final String STYLE =
       """
       <style>
       .paper{fill:#faf9f5}.floor{fill:#fff}text{fill:#22262b;font:bold 22px DejaVu Sans,Verdana,sans-serif}
       .ink{fill:none;stroke:#22262b;stroke-width:2;stroke-linecap:round;vector-effect:non-scaling-stroke}
-      .solid{fill:#22262b}.bad,.gone{fill:#d55e00}
+      .foot{font-weight:normal;font-size:17px}.solid{fill:#22262b}.bad,.gone{fill:#d55e00}
       .c{fill-opacity:.8;stroke:#0072b2;stroke-width:1.25}.c circle{vector-effect:non-scaling-stroke}
       @media(prefers-color-scheme:dark){.paper{fill:#1b1d21}.floor{fill:#24272c}text{fill:#e8e6e1}
       .ink{stroke:#e8e6e1}.solid{fill:#e8e6e1}.bad,.gone{fill:#f2803a}.c{stroke:#56b4e9}}
@@ -114,30 +117,39 @@ public final class Motion {
     double head = named ? HEAD : GAP;
     double height = WIDTH * extent.getHeight() / extent.getWidth();
     double width = sides.size() * (WIDTH + GAP) + GAP;
+    double foot = named ? FOOT : 0;
     put(
         "<svg xmlns='http://www.w3.org/2000/svg' viewBox='0 0 %.0f %.0f'>",
-        width, head + height + GAP);
+        width, head + height + GAP + foot);
     svg.append("<title>").append(text(title)).append("</title>\n").append(STYLE);
     svg.append("<rect class='paper' width='100%' height='100%'/>\n");
+    // An svg element for each side would clip it, too, but has a clock of its own.
+    put("<clipPath id='side'>%s</clipPath>%n", rectangle("", extent));
     for (int i = 0; i < sides.size(); i++) {
       place(i, head);
       obstacles(sides.get(i).courses.duration());
       circles(sides.get(i).courses);
       svg.append("</g>\n");
     }
-    // A frame around all sides. An svg element for each would clip, but has a clock of its own.
-    put("<path class='paper' fill-rule='evenodd' d='M0,0H%.0fV%.0fH0Z", width, head + height + GAP);
-    for (int i = 0; i < sides.size(); i++) {
-      put("M%.0f,%.0fh%.0fv%.1fh-%.0fz", left(i), head, WIDTH, height, WIDTH);
-    }
-    svg.append("'/>\n");
     for (int i = 0; named && i < sides.size(); i++) {
       head(sides.get(i), left(i));
       place(i, head);
       exits(sides.get(i).courses);
       svg.append("</g>\n");
     }
+    if (named) {
+      put("<text class='foot' x='%.0f' y='%.0f'>", GAP, head + height + GAP + 12);
+      svg.append(foot(sides.get(0).courses.duration())).append("</text>\n");
+    }
     return svg.append("</svg>\n").toString();
+  }
+
+  /** What one has to know to read several sides. */
+  private String foot(double frames) {
+    double slower = seconds * FRAMES_A_SECOND / frames;
+    return (slower > 1 ? plain(slower, 1) + " times slowed down. " : "")
+        + (scene.collide() ? "" : "Circles ignore each other. ")
+        + "Orange: lost through a line or a wall.";
   }
 
   private static double left(int side) {
@@ -148,7 +160,8 @@ public final class Motion {
   private void place(int side, double top) {
     double scale = WIDTH / extent.getWidth();
     put(
-        "<g transform='translate(%.0f,%.0f) scale(%s,-%s) translate(%s,%s)'>%n",
+        "<g clip-path='url(#side)'"
+            + " transform='translate(%.0f,%.0f) scale(%s,-%s) translate(%s,%s)'>%n",
         left(side),
         top,
         plain(scale, 6),
@@ -198,14 +211,13 @@ public final class Motion {
   private void obstacles(double duration) {
     if (scene.bounds().isPresent()) {
       Bounds b = scene.bounds().get();
-      double x = Math.max(b.xmin(), extent.getX());
-      double y = Math.max(b.ymin(), extent.getY());
-      put(
-          "<rect class='floor' x='%s' y='%s' width='%s' height='%s'/>%n",
-          number(x),
-          number(y),
-          number(Math.min(b.xmax(), extent.getMaxX()) - x),
-          number(Math.min(b.ymax(), extent.getMaxY()) - y));
+      Rectangle2D walls = new Rectangle2D.Double();
+      walls.setFrameFromDiagonal(
+          Math.max(b.xmin(), extent.getMinX()),
+          Math.max(b.ymin(), extent.getMinY()),
+          Math.min(b.xmax(), extent.getMaxX()),
+          Math.min(b.ymax(), extent.getMaxY()));
+      svg.append(rectangle(" class='floor'", walls)).append('\n');
       put("<path class='ink' d='%s'/>%n", wall(b));
     }
     for (int i = 0; i < scene.count(Kind.LINE); i++) {
@@ -223,6 +235,16 @@ public final class Motion {
       moves(scene.velocity(Kind.PEG, i), duration);
       svg.append("</circle>\n");
     }
+  }
+
+  private String rectangle(String attributes, Rectangle2D r) {
+    return "<rect%s x='%s' y='%s' width='%s' height='%s'/>"
+        .formatted(
+            attributes,
+            number(r.getX()),
+            number(r.getY()),
+            number(r.getWidth()),
+            number(r.getHeight()));
   }
 
   private String wall(Bounds b) {

@@ -42,7 +42,8 @@ class ViewCommandTest {
             "the published algorithm",
             "0 of 4 lost",
             "1 of 4 lost",
-            "2 of 4 lost");
+            "2 of 4 lost",
+            "2 times slowed down. Circles ignore each other. Orange: lost through a line or a wall.");
     Element first = (Element) svg.getElementsByTagName("animate").item(0);
     assertThat(first.getAttribute("dur")).isEqualTo("10.0s");
   }
