@@ -9,16 +9,18 @@ import dev.carom.bench.results.Results;
 import dev.carom.bench.results.Setting;
 import dev.carom.bench.results.Spread;
 import java.awt.Color;
+import java.util.Comparator;
 import java.util.List;
 import java.util.function.DoubleFunction;
 import java.util.function.Function;
 import java.util.function.Predicate;
 import java.util.function.ToDoubleFunction;
+import java.util.stream.Collectors;
 
 /** Circles that fall into a heap, by Carom and by the engines: overlap, rest, energy, time. */
 final class ContactFigures {
 
-  private static final String SCENE = "heap";
+  static final String SCENE = "heap";
 
   private final Results results;
   private final Marks marks;
@@ -49,26 +51,33 @@ final class ContactFigures {
             "heap",
             "A heap",
             title,
-            "100 circles fall into a heap and come to rest. Each engine has its defaults, then the best settings found.",
+            "100 circles fall into a heap and come to rest; mean time of a frame. Each engine has its defaults, then the best settings found among lines.",
             title + ".",
             panels,
             table()));
   }
 
-  /** The least and the greatest overlap of others. */
+  /** The least and the greatest overlap of others, each at its better setting. */
   private String engines() {
     double[] overlaps =
         settings().stream()
             .filter(s -> !s.equals(Metrics.CAROM))
-            .mapToDouble(this::overlap)
+            .collect(Collectors.groupingBy(Setting::method, Collectors.minBy(overlapFirst())))
+            .values()
+            .stream()
+            .mapToDouble(best -> overlap(best.orElseThrow()))
             .sorted()
             .toArray();
-    return overlaps.length == 0
-        ? "?"
-        : ReportNumbers.error(overlaps[0])
-            + " to "
-            + ReportNumbers.error(overlaps[overlaps.length - 1])
-            + " radii";
+    if (overlaps.length == 0) {
+      return "? radii";
+    }
+    String least = ReportNumbers.error(overlaps[0]);
+    String most = ReportNumbers.error(overlaps[overlaps.length - 1]);
+    return (least.equals(most) ? least : least + " to " + most) + " radii";
+  }
+
+  private Comparator<Setting> overlapFirst() {
+    return Comparator.comparingDouble(this::overlap);
   }
 
   private List<Setting> settings() {

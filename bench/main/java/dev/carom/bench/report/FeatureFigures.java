@@ -83,7 +83,7 @@ public final class FeatureFigures {
     double lines = value(Features.SCENE + "lines", Features.TIME, "median");
     return Double.isNaN(least) || Double.isNaN(lines)
         ? "What each thing that a scene uses costs"
-        : "A frame takes %s where there is nothing to hit, %s among 100 lines"
+        : "On average a frame takes %s where there is nothing to hit, %s among 100 lines"
             .formatted(ReportNumbers.time(least), ReportNumbers.time(lines));
   }
 

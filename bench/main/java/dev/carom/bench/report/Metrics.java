@@ -69,6 +69,11 @@ final class Metrics {
     return (Glossary.name(setting.method()) + " " + shortKnob(setting)).strip();
   }
 
+  /** Whether it is an engine, as it comes or tuned. */
+  static boolean isEngine(Setting setting) {
+    return isDefault(setting) || shortKnob(setting).equals("tuned");
+  }
+
   /** Whether a peer is left as it comes. */
   static boolean isDefault(Setting setting) {
     return setting.value().startsWith(DEFAULTS);

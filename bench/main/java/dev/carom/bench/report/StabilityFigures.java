@@ -14,6 +14,7 @@ import dev.carom.bench.stability.FailureMap;
 import dev.carom.bench.stability.Survey;
 import java.util.ArrayList;
 import java.util.Collection;
+import java.util.Comparator;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
@@ -121,7 +122,7 @@ public final class StabilityFigures {
         tally.outcomes().stream().map(CellOutcome::ordinal).toList());
   }
 
-  /** Of each method the setting that is right most often. */
+  /** Of each method the setting that is right most often, then near most often. */
   private static Collection<MapTally> drawn(List<MapTally> tallies) {
     Map<String, MapTally> best = new LinkedHashMap<>();
     tallies.stream()
@@ -131,7 +132,10 @@ public final class StabilityFigures {
   }
 
   private static MapTally better(MapTally one, MapTally other) {
-    return other.count(CellOutcome.RIGHT) > one.count(CellOutcome.RIGHT) ? other : one;
+    Comparator<MapTally> order = Comparator.comparingInt(t -> t.count(CellOutcome.RIGHT));
+    return order.thenComparingInt(t -> t.count(CellOutcome.DRIFTED)).compare(other, one) > 0
+        ? other
+        : one;
   }
 
   /** The classes that occur, then the dark corner; nothing in place of the others. */

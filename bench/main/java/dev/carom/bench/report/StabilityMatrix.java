@@ -11,7 +11,9 @@ import java.util.ArrayList;
 import java.util.Comparator;
 import java.util.List;
 import java.util.Optional;
+import java.util.function.Predicate;
 import java.util.stream.Collectors;
+import java.util.stream.Stream;
 
 /** Methods by maps: in how many cells each stays within 0.001 and within 0.1 radius. */
 final class StabilityMatrix {
@@ -108,7 +110,7 @@ final class StabilityMatrix {
 
   /** The conclusion. */
   String title() {
-    return best()
+    return best(s -> true)
         .map(
             next ->
                 "%s is right in %s of the small scenes; next is %s, with %s of those that it plays"
@@ -120,9 +122,9 @@ final class StabilityMatrix {
         .orElse("Where methods are right");
   }
 
-  private Optional<Setting> best() {
+  private Optional<Setting> best(Predicate<Setting> among) {
     return settings().stream()
-        .filter(s -> !s.equals(Metrics.CAROM) && !played(s).isEmpty())
+        .filter(s -> !s.equals(Metrics.CAROM) && !played(s).isEmpty() && among.test(s))
         .max(Comparator.comparingDouble(s -> sum(played(s), s, FINE) / cells(played(s), s)));
   }
 
@@ -132,15 +134,8 @@ final class StabilityMatrix {
       return Optional.empty();
     }
     String rivals =
-        List.of("gdx-box2d", "poster").stream()
-            .flatMap(
-                method ->
-                    settings().stream()
-                        .filter(s -> s.method().equals(method) && !played(s).isEmpty())
-                        .max(
-                            Comparator.comparingDouble(
-                                s -> sum(played(s), s, FINE) / cells(played(s), s)))
-                        .stream())
+        Stream.of(best(Metrics::isEngine), best(s -> s.method().equals("poster")))
+            .flatMap(Optional::stream)
             .map(s -> Glossary.name(s.method()) + ": " + percent(played(s), s, FINE))
             .collect(Collectors.joining("; "));
     String share = percent(maps, Metrics.CAROM, FINE);

@@ -13,7 +13,6 @@ import java.util.stream.Stream;
 /** A map of failures in words and in a table, made by rule from its numbers. */
 final class StabilityWords {
 
-  private static final String ENGINE = "gdx-box2d";
   private static final int MOST_NAMES = 3;
 
   private final List<MapTally> tallies;
@@ -40,11 +39,15 @@ final class StabilityWords {
             ? "Carom is right in all " + scenes
             : "Carom is wrong in %s of %s".formatted(ReportNumbers.count(wrong), scenes);
     return tallies.stream()
-        .filter(t -> t.played() && t.setting().method().equals(ENGINE))
-        .mapToInt(t -> t.count(CellOutcome.RIGHT))
-        .boxed()
-        .max(Comparator.naturalOrder())
-        .map(most -> whole + "; Box2D at its best in " + share(most, ours().outcomes().size()))
+        .filter(t -> t.played() && Metrics.isEngine(t.setting()))
+        .max(Comparator.comparingInt(t -> t.count(CellOutcome.RIGHT)))
+        .map(
+            best ->
+                "%s; the best engine, %s, in %s"
+                    .formatted(
+                        whole,
+                        Glossary.name(best.setting().method()),
+                        share(best.count(CellOutcome.RIGHT), ours().outcomes().size())))
         .orElse(whole);
   }
 

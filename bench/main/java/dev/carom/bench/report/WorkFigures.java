@@ -103,7 +103,8 @@ final class WorkFigures {
                         s.time().middle(),
                         ReportNumbers.time(s.time().middle())))
             .toList();
-    String note = "Time of a frame%s, each engine at the best settings found.";
+    String note =
+        "Median time of a frame%s, without collisions; each engine at the best settings found.";
     return Optional.of(
         new Figure(
             "engines",

@@ -36,8 +36,7 @@ class ContactFiguresTest {
 
     assertThat(heap.title())
         .isEqualTo(
-            "In a heap, Carom's circles touch; those of the engines sink 0.25 to 0.5 radii into each"
-                + " other");
+            "In a heap, Carom's circles touch; those of the engines sink 0.25 radii into each other");
     assertThat(new String(heap.picture().svg(), StandardCharsets.UTF_8))
         .contains("faster than Carom: Box2D defaults<", ">0.25<", ">900 µs<");
     assertThat(heap.table().rows().get(2)).contains("not in 10 s", "1 %");
