@@ -50,6 +50,9 @@ public final class CurveChart {
   private static final double BAND = 0.18;
   private static final double RING = 16;
 
+  /** The axis goes on so many times beyond the limit, for the rings. */
+  private static final double ROOM = 10;
+
   private final String description;
   private final Marks marks;
   private final Map<String, List<Curve>> panels;
@@ -137,7 +140,7 @@ public final class CurveChart {
   private void draw(Graphics2D g, List<Curve> curves) {
     Rectangle2D inner = new Rectangle2D.Double(2, 0, Picture.PANEL - 4 - NAMES, HEIGHT - 4);
     boolean cut = curves.stream().anyMatch(CurveChart::isCut);
-    DecadeAxis heights = heights(cut ? limit : Double.NaN);
+    DecadeAxis heights = heights(cut ? ROOM * limit : Double.NaN);
     Axes axes = Axes.draw(g, inner, places(curves), heights);
     curves.forEach(curve -> band(g, axes, curve, curves.size()));
     curves.forEach(curve -> line(g, axes, heights, curve));
@@ -294,15 +297,15 @@ public final class CurveChart {
     }
   }
 
-  /** Those that meet at one place stand below each other. */
+  /** Those that meet at one place stand above each other: each is more than the limit. */
   private void rings(Graphics2D g, Axes axes, List<Curve> curves) {
     Map<Double, Integer> taken = new HashMap<>();
     for (Curve curve : curves) {
       for (int i = 0; i < curve.x().length; i++) {
         if (Double.isNaN(curve.middle()[i])) {
-          int below = taken.merge(curve.x()[i], 1, Integer::sum) - 1;
+          int before = taken.merge(curve.x()[i], 1, Integer::sum) - 1;
           double x = axes.x(curve.x()[i]);
-          double y = axes.y(limit) + below * RING;
+          double y = axes.y(limit) - before * RING;
           String text = marks.name(curve.method()) + ": more than " + unit.exact.apply(limit);
           Hover.over(g, text, () -> marks.drawFailure(g, curve.method(), x, y));
         }
