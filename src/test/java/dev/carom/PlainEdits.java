@@ -361,7 +361,7 @@ abstract class PlainEdits extends PlainSearch {
     for (MovingCircle m : bodies) {
       if (registry.contains(m.id)) {
         m.forget(code, 0);
-        if (meets(m.id, obstacles.filter(code)) && isAhead(m, code)) {
+        if (meets(m.id, obstacles.filter(code)) && !isHeldFrom(m, code) && isAhead(m, code)) {
           begunAnew(m.id);
         }
       }

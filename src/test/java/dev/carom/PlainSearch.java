@@ -101,7 +101,7 @@ abstract class PlainSearch extends PlainState {
   }
 
   /** Whether contact keeps a member from an obstacle. */
-  private boolean isHeldFrom(MovingCircle m, int k) {
+  final boolean isHeldFrom(MovingCircle m, int k) {
     boolean alike = obstacles.ux(k) == m.vx && obstacles.uy(k) == m.vy && !obstacles.turns(k);
     return m.isMember() && !obstacles.isSensor(k) && (m.mode != MovingCircle.FROZEN || alike);
   }

@@ -164,13 +164,13 @@ public final class PlainWorld extends PlainEdits {
     }
     keep(a, one);
     keep(b, two);
+    noteInfinite(one); // before the other joins: that sees the new flight
+    noteInfinite(two);
     if (result == ObstacleResponse.JOIN) {
       contacts.joinBoth(one, two);
     } else {
       settle(result, one, two);
     }
-    noteInfinite(one);
-    noteInfinite(two);
   }
 
   /** A member flies on until it is told otherwise; other circles begin new flights. */
