@@ -124,6 +124,7 @@ public final class ObstacleResponse {
     ImpactRule.count(m, way, ImpactRule.place(m, e), false, pushes);
     boolean stuck = ImpactRule.isStuck(m, e);
     if (stuck && turns) {
+      m.leavePlace(); // once that has left, it bounces again
       passOver(m, code, log);
       return NEW_FLIGHT;
     }
@@ -279,8 +280,10 @@ public final class ObstacleResponse {
     return what == ImpactRule.SLIDE ? NEW_FLIGHT : JOIN;
   }
 
-  /** A moving obstacle passes over a circle that something crushed, or of infinite mass. */
+  /** A moving obstacle passes over a circle that something crushed, and that stands. */
   private static void passOver(MovingCircle m, int code, ImpactRows log) {
+    m.vx = 0;
+    m.vy = 0;
     m.jam = IgnoreList.crushedBy(m.jam, code);
     m.newFlight();
     log.setOutcome(ImpactRows.JAMMED);
