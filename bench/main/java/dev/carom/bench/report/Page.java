@@ -235,10 +235,12 @@ final class Page {
     ReportTable ratios = Ratios.of(results);
     if (!ratios.rows().isEmpty()) {
       html.append("<details><summary>How many times as long as Carom the others take</summary>\n");
-      table(ratios, "Times of a frame, Carom = 1", none -> "");
+      table(ratios, "Times of a frame, Carom = 1: medians, of a heap means", none -> "");
       paragraph(
-          "Medians; in brackets the least and the greatest that the virtual machines allow. Below 1"
-              + " the other is faster.");
+          "Ratios of median frames; in brackets the least and the greatest that the virtual machines"
+              + " allow. Below 1 the other is faster. Of a heap they are ratios of the mean frame, as"
+              + " in its chart: most of its frames come after all is at rest, and a median would"
+              + " compare those alone.");
       html.append("</details>\n");
     }
     figure("frames");
@@ -263,7 +265,7 @@ final class Page {
               + " tuned as Carom is, so a factor below 1 says that tuning weighs more than"
               + " exactness, not that exactness is free. "
               + price.framesAsGood());
-      table(price.frames(), "Time and worst error of a frame", none -> "");
+      table(price.frames(), "Median time and worst error of a frame", none -> "");
     }
     QueryFigures questions = new QueryFigures(results);
     folded(questions.sentence(), questions.table(), "Time and error of a question");

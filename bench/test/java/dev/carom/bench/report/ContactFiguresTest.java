@@ -36,10 +36,22 @@ class ContactFiguresTest {
 
     assertThat(heap.title())
         .isEqualTo(
-            "In a heap, Carom's circles touch; those of the engines sink 0.25 radii into each other");
+            "In a heap, Carom's circles touch; those of the engines, each at its better setting,"
+                + " sink 0.25 radii into each other");
     assertThat(new String(heap.picture().svg(), StandardCharsets.UTF_8))
-        .contains("faster than Carom: Box2D defaults<", ">0.25<", ">900 µs<");
+        .contains("Mean frame; faster than Carom: Box2D defaults<", ">0.25<", ">900 µs<");
     assertThat(heap.table().rows().get(2)).contains("not in 10 s", "1 %");
+  }
+
+  /** Most frames of a heap are at rest: medians would compare frames in which nothing moves. */
+  @Test
+  void theTableOfRatiosHasTheMeansOfAHeapAsItsChart() {
+    ReportTable ratios = Ratios.of(sample().results());
+    int heap = ratios.head().indexOf("heap, means");
+
+    assertThat(ratios.rows().stream().map(row -> row.get(heap)))
+        .anyMatch(cell -> cell.startsWith("0.0667 (0.0667"))
+        .anyMatch(cell -> cell.startsWith("8.89 (8.89"));
   }
 
   @Test
