@@ -37,14 +37,18 @@ final class Axes {
     plot.setDomainGridlinePaint(Style.GRID);
     plot.setDomainGridlineStroke(Style.line(Style.HAIR));
     plot.setInsets(RectangleInsets.ZERO_INSETS);
-    double right = x instanceof DecadeAxis ? 18 : 8; // half of the last label
+    double right = x instanceof DecadeAxis decades ? Math.max(18, decades.halfLast(g)) : 8;
     chart.setPadding(new RectangleInsets(8, 2, x.isTickLabelsVisible() ? 2 : 8, right));
     ChartRenderingInfo info = new ChartRenderingInfo();
     chart.draw(g, where, info);
     Style.smooth(g);
     Axes axes = new Axes(plot, info.getPlotInfo().getDataArea());
-    if (y instanceof DecadeAxis decades && !Double.isNaN(decades.breakAt())) {
+    if (y instanceof DecadeAxis decades) {
       axes.cut(g, decades.breakAt());
+      axes.cut(g, decades.breakAbove());
+    }
+    if (x instanceof DecadeAxis decades) {
+      axes.cutAcross(g, decades.breakAt());
     }
     return axes;
   }
@@ -65,9 +69,13 @@ final class Axes {
   }
 
   /**
-   * Shows that the axis is broken at a height: a strip of paper through it and through the floor.
+   * Shows that the axis is broken at a height, if it is: a strip of paper through it and through
+   * the floor.
    */
   private void cut(Graphics2D g, double value) {
+    if (Double.isNaN(value)) {
+      return;
+    }
     double left = area.getMinX() - CUT;
     g.setColor(Style.PAPER);
     g.fill(new Rectangle2D.Double(left, y(value) - CUT / 2, area.getMaxX() - left, CUT));
@@ -75,6 +83,23 @@ final class Axes {
     g.setStroke(Style.line(Style.HAIR));
     for (double y = y(value) - CUT / 2; y <= y(value) + CUT; y += CUT) {
       g.draw(new Line2D.Double(left, y + 2, area.getMinX() + CUT, y - 2));
+    }
+  }
+
+  /** The same for the axis at the bottom. */
+  private void cutAcross(Graphics2D g, double value) {
+    if (Double.isNaN(value)) {
+      return;
+    }
+    double floor = area.getMaxY();
+    g.setColor(Style.PAPER);
+    g.fill(
+        new Rectangle2D.Double(
+            x(value) - CUT / 2, area.getMinY(), CUT, floor + CUT - area.getMinY()));
+    g.setColor(Style.QUIET);
+    g.setStroke(Style.line(Style.HAIR));
+    for (double x = x(value) - CUT / 2; x <= x(value) + CUT; x += CUT) {
+      g.draw(new Line2D.Double(x - 2, floor + CUT, x + 2, floor - CUT));
     }
   }
 

@@ -50,8 +50,11 @@ public final class CurveChart {
   private static final double BAND = 0.18;
   private static final double RING = 16;
 
-  /** The axis goes on so many times beyond the limit, for the rings. */
-  private static final double ROOM = 10;
+  /** From the last decade to the rings beyond it, with the break of the axis half-way. */
+  private static final double GAP = 8;
+
+  /** About the height of the floor. */
+  private static final double FLOOR = 240;
 
   private final String description;
   private final Marks marks;
@@ -119,7 +122,7 @@ public final class CurveChart {
     return this;
   }
 
-  /** Draws a crossed ring at a height wherever a line has no value. */
+  /** Draws a crossed ring beyond a height, above a break of the axis, where a line has no value. */
   public CurveChart limit(double value) {
     limit = value;
     return this;
@@ -140,7 +143,11 @@ public final class CurveChart {
   private void draw(Graphics2D g, List<Curve> curves) {
     Rectangle2D inner = new Rectangle2D.Double(2, 0, Picture.PANEL - 4 - NAMES, HEIGHT - 4);
     boolean cut = curves.stream().anyMatch(CurveChart::isCut);
-    DecadeAxis heights = heights(cut ? ROOM * limit : Double.NaN);
+    DecadeAxis heights = heights(cut ? limit / DecadeAxis.ROOM : Double.NaN);
+    if (cut && !Double.isNaN(limit)) {
+      double room = GAP + RING * rings(curves);
+      heights.withBeyond("> " + unit.tick.apply(limit), room / (FLOOR - room), GAP / 2 / room);
+    }
     Axes axes = Axes.draw(g, inner, places(curves), heights);
     curves.forEach(curve -> band(g, axes, curve, curves.size()));
     curves.forEach(curve -> line(g, axes, heights, curve));
@@ -149,7 +156,7 @@ public final class CurveChart {
     level(g, axes, lower, 13);
     place(g, axes);
     if (cut && !Double.isNaN(limit)) {
-      rings(g, axes, curves);
+      rings(g, axes, axes.y(heights.most()) - GAP - RING / 2, curves);
     }
   }
 
@@ -164,8 +171,11 @@ public final class CurveChart {
                         DoubleStream.concat(Arrays.stream(c.low()), Arrays.stream(c.high()))))
             .toArray();
     DoubleStream marked = DoubleStream.of(height.value, lower.value, further);
-    DecadeAxis axis =
-        DecadeAxis.covering(DoubleStream.concat(Arrays.stream(all), marked), unit.tick);
+    DoubleStream shown = DoubleStream.concat(Arrays.stream(all), marked);
+    if (!Double.isNaN(further)) {
+      shown = shown.map(value -> Math.min(value, further)); // the axis ends there
+    }
+    DecadeAxis axis = DecadeAxis.covering(shown, unit.tick);
     axis.setLabel(heightLabel);
     axis.withTexts(unit.exact);
     return Arrays.stream(all).anyMatch(value -> value == 0) ? axis.withZero() : axis;
@@ -297,15 +307,28 @@ public final class CurveChart {
     }
   }
 
-  /** Those that meet at one place stand above each other: each is more than the limit. */
-  private void rings(Graphics2D g, Axes axes, List<Curve> curves) {
+  /** How many meet at one place. */
+  private static int rings(List<Curve> curves) {
     Map<Double, Integer> taken = new HashMap<>();
     for (Curve curve : curves) {
       for (int i = 0; i < curve.x().length; i++) {
         if (Double.isNaN(curve.middle()[i])) {
-          int before = taken.merge(curve.x()[i], 1, Integer::sum) - 1;
+          taken.merge(curve.x()[i], 1, Integer::sum);
+        }
+      }
+    }
+    return taken.values().stream().mapToInt(n -> n).max().orElse(0);
+  }
+
+  /** Those that meet at one place stand above each other. */
+  private void rings(Graphics2D g, Axes axes, double lowest, List<Curve> curves) {
+    Map<Double, Integer> taken = new HashMap<>();
+    for (Curve curve : curves) {
+      for (int i = 0; i < curve.x().length; i++) {
+        if (Double.isNaN(curve.middle()[i])) {
+          int above = taken.merge(curve.x()[i], 1, Integer::sum) - 1;
           double x = axes.x(curve.x()[i]);
-          double y = axes.y(limit) - before * RING;
+          double y = lowest - above * RING;
           String text = marks.name(curve.method()) + ": more than " + unit.exact.apply(limit);
           Hover.over(g, text, () -> marks.drawFailure(g, curve.method(), x, y));
         }

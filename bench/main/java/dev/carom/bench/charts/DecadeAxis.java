@@ -22,6 +22,9 @@ final class DecadeAxis extends LogAxis {
 
   private static final long serialVersionUID = 1;
 
+  /** So many times, at least, a value is from the ends. */
+  static final double ROOM = 1.25;
+
   private static final int MOST_TICKS = 15;
 
   /** The way from 0 to the first decade, as a share of the length of all decades. */
@@ -30,6 +33,8 @@ final class DecadeAxis extends LogAxis {
   private final int lowest;
   private final int highest;
   private boolean zero;
+  private double brokenAbove = Double.NaN;
+  private String beyond;
   private final transient DoubleFunction<String> text;
   private transient DoubleFunction<String> unit = value -> Durations.number(value, 3);
 
@@ -44,8 +49,8 @@ final class DecadeAxis extends LogAxis {
 
   /** An axis on which a smallest and a largest value, both greater than 0, stand off the edges. */
   static DecadeAxis covering(double smallest, double largest, DoubleFunction<String> text) {
-    int lowest = (int) Math.floor(Math.log10(smallest / 1.25));
-    int highest = (int) Math.ceil(Math.log10(largest * 1.25));
+    int lowest = (int) Math.floor(Math.log10(smallest / ROOM));
+    int highest = (int) Math.ceil(Math.log10(largest * ROOM));
     return new DecadeAxis(lowest, highest, text);
   }
 
@@ -80,8 +85,34 @@ final class DecadeAxis extends LogAxis {
    * 0, and a value of 0 drawn at the first decade would read as that decade.
    */
   DecadeAxis withZero() {
+    return withZero(ZERO_GUTTER, 0);
+  }
+
+  /** The same with another way from 0 to the first decade, and with a gutter after the last one. */
+  DecadeAxis withZero(double before, double after) {
     zero = true;
-    return withGutters(ZERO_GUTTER, 0);
+    return withGutters(before, after);
+  }
+
+  /**
+   * Breaks the axis above its last decade, and gives the room beyond a tick of its own: what lies
+   * there is greater, and not drawn to scale.
+   *
+   * @param name of the tick
+   * @param room beyond the last decade, as a share of the decades' length
+   * @param breakAt where the break is, as a share of this room
+   */
+  DecadeAxis withBeyond(String name, double room, double breakAt) {
+    double length = room * (highest - lowest);
+    setRange(getLowerBound(), Math.pow(10, highest + length));
+    brokenAbove = Math.pow(10, highest + breakAt * length);
+    beyond = name;
+    return this;
+  }
+
+  /** Where the axis is broken above its last decade; NaN for an axis that ends there. */
+  double breakAbove() {
+    return brokenAbove;
   }
 
   /** Where the axis is broken, between 0 and the first decade; NaN for an axis without a 0. */
@@ -92,6 +123,11 @@ final class DecadeAxis extends LogAxis {
   /** A value with three digits, as its ticks are written. */
   String text(double value) {
     return unit.apply(value);
+  }
+
+  /** Half of the width of the last tick's text, and a little more. */
+  double halfLast(Graphics2D g) {
+    return g.getFontMetrics(getTickLabelFont()).stringWidth(text.apply(most())) / 2.0 + 3;
   }
 
   /** The end of the scale, where the gutter before it begins. */
@@ -118,6 +154,10 @@ final class DecadeAxis extends LogAxis {
     }
     if (zero) {
       ticks.add(new NumberTick(getLowerBound(), "0", anchor, TextAnchor.CENTER, 0));
+    }
+    if (beyond != null) {
+      double middle = Math.sqrt(brokenAbove * getUpperBound());
+      ticks.add(new NumberTick(middle, beyond, anchor, TextAnchor.CENTER, 0));
     }
     return ticks;
   }

@@ -52,7 +52,7 @@ public final class ScaleFigures {
                 "Time against the number of circles.",
                 Settings.marks(results),
                 Unit.TIME,
-                "time of a frame",
+                "median time of a frame",
                 panels)
             .alongCounts("number of circles")
             .level(1e6 * Budget.MILLIS, "60 FPS")
@@ -66,7 +66,7 @@ public final class ScaleFigures {
             "scale",
             "Many circles",
             growth.title(),
-            "Equal density in all scenes; engines at their defaults. A crossed ring: a frame took longer than %s, and larger scenes were not played."
+            "Equal density in all scenes; engines at their defaults. A crossed ring above the break: a frame took longer than %s, and larger scenes were not played."
                 .formatted(ReportNumbers.time(limit)),
             caption.strip(),
             chart.panels(),

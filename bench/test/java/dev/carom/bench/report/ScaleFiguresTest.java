@@ -63,7 +63,7 @@ class ScaleFiguresTest {
         .contains("alone: Carom, the time of an impact grows with the circles to the power 0.00")
         .endsWith("A world of 102,400 circles and lines takes 120 bytes a circle and 30 a line.");
     assertThat(new String(figure().picture().svg(), StandardCharsets.UTF_8))
-        .contains(">Colliding circles<", ">number of circles<", ">60 FPS<");
+        .contains(">Colliding circles<", ">number of circles<", ">60 FPS<", ">&gt; 1 s<");
   }
 
   @Test
