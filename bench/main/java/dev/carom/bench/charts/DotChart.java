@@ -88,7 +88,12 @@ public final class DotChart {
     errors.setLabel(errorLabel);
     boolean exact = dots.stream().anyMatch(Dot::exact);
     boolean failed = dots.stream().anyMatch(Dot::failed);
-    errors.withGutters(exact ? GUTTER : 0, failed ? GUTTER : 0);
+    double after = failed ? GUTTER : 0;
+    if (exact) {
+      errors.withZero(GUTTER, after);
+    } else {
+      errors.withGutters(0, after);
+    }
     DecadeAxis times =
         DecadeAxis.covering(
             DoubleStream.concat(
@@ -101,7 +106,9 @@ public final class DotChart {
 
   private static String power(double value) {
     double exponent = Math.log10(value);
-    return Math.abs(exponent) < 3.5 ? Durations.number(value, 1) : "1e" + Math.round(exponent);
+    return exponent > -3.5 && exponent < 6.5
+        ? Durations.number(value, 1)
+        : "1e" + Math.round(exponent);
   }
 
   private static String error(double value) {
@@ -131,14 +138,13 @@ public final class DotChart {
       // Ours is the largest: one that lies under another is still seen.
       List<Dot> oursFirst =
           dots.stream().sorted(Comparator.comparing(d -> !Marks.isOurs(d.method()))).toList();
-      if (dots.stream().anyMatch(Dot::exact)) {
-        gutter(area.getMinX(), axes.x(errors.least()), "0");
-      }
       if (dots.stream().anyMatch(Dot::failed)) {
         gutter(axes.x(errors.most()), area.getMaxX(), "failed");
       }
       budget();
-      dots.stream().filter(d -> Marks.isOurs(d.method()) && !d.failed()).forEach(this::shade);
+      dots.stream()
+          .filter(d -> Marks.isOurs(d.method()) && !d.failed() && !d.exact())
+          .forEach(this::shade);
       for (Dot dot : oursFirst) {
         whisker(dot);
         Hover.over(g, text(dot), () -> mark(dot));
@@ -167,7 +173,7 @@ public final class DotChart {
       }
     }
 
-    /** The area in which a dot would be faster and more accurate. */
+    /** The area in which a dot would be faster and more accurate; beyond 0 there is none. */
     private void shade(Dot ours) {
       g.setColor(Style.veil(Style.BLUE, 0.15));
       double right = x(ours);
@@ -178,7 +184,7 @@ public final class DotChart {
       if (dot.failed()) {
         return (axes.x(errors.most()) + area.getMaxX()) / 2;
       }
-      return dot.exact() ? (axes.x(errors.least()) + area.getMinX()) / 2 : axes.x(dot.error());
+      return dot.exact() ? area.getMinX() : axes.x(dot.error());
     }
 
     /** Something that took no time at all cannot be had: what has none stands at the top. */

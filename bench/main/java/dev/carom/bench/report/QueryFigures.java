@@ -58,19 +58,45 @@ final class QueryFigures {
         .noneMatch(s -> results.value(scene, s, Metrics.TIME_ERROR, "max") <= ours);
   }
 
+  /** The classes of questions that were asked and timed. */
+  private List<String> classes() {
+    List<String> timed = results.scenes(Metrics.QUERY_TIME);
+    return results.scenes(Metrics.DECISIONS).stream().filter(timed::contains).toList();
+  }
+
+  private List<Dot> dots(List<String> classes) {
+    return classes.isEmpty()
+        ? List.of()
+        : Settings.of(results, classes.get(0), Metrics.DECISIONS).stream()
+            .filter(Settings::isDrawn)
+            .map(setting -> decisions(classes, setting))
+            .filter(dot -> !Double.isNaN(dot.error()))
+            .toList();
+  }
+
+  /** How many times as long as plain doubles Carom takes for a question: a sentence, or nothing. */
+  String price() {
+    List<Dot> dots = dots(classes());
+    double ours = time(dots, Metrics.OURS);
+    double plain = time(dots, "plain");
+    return Double.isNaN(ours / plain)
+        ? ""
+        : " A question takes Carom %s times as long as plain doubles."
+            .formatted(ReportNumbers.count(ours / plain));
+  }
+
+  private static double time(List<Dot> dots, String method) {
+    return dots.stream()
+        .filter(dot -> dot.method().equals(method))
+        .mapToDouble(Dot::time)
+        .findFirst()
+        .orElse(Double.NaN);
+  }
+
   /** Wrong decisions against the time of a question, over all classes: a panel, or none. */
   Optional<Panel> decisions() {
-    List<String> timed = results.scenes(Metrics.QUERY_TIME);
-    List<String> classes =
-        results.scenes(Metrics.DECISIONS).stream().filter(timed::contains).toList();
-    List<Dot> dots =
-        classes.isEmpty()
-            ? List.of()
-            : Settings.of(results, classes.get(0), Metrics.DECISIONS).stream()
-                .filter(Settings::isDrawn)
-                .map(setting -> decisions(classes, setting))
-                .filter(dot -> !Double.isNaN(dot.error()))
-                .toList();
+    List<String> classes = classes();
+    List<Dot> dots = dots(classes);
     if (dots.isEmpty()) {
       return Optional.empty();
     }
@@ -79,22 +105,23 @@ final class QueryFigures {
         dots.stream()
             .filter(d -> d.method().equals(Metrics.OURS))
             .findFirst()
-            .map(QueryFigures::wrong)
+            .map(ours -> wrong(ours, dots))
             .orElse("One question: hit or miss?");
     DotChart chart =
         new DotChart(
             "Time of a question against the number of wrong answers.",
             Settings.marks(results),
-            List.of("wrong answers of " + asked, "time of a question"),
+            List.of("wrong answers of " + asked, "median time of a question"),
             Double.NaN,
             Map.of(title, dots));
     return Optional.of(chart.panels(DotChart.TALL).get(0));
   }
 
-  private static String wrong(Dot dot) {
-    return dot.exact()
-        ? "One question: only Carom is never wrong"
-        : "One question: Carom is wrong in " + ReportNumbers.count(dot.error());
+  private static String wrong(Dot ours, List<Dot> all) {
+    boolean slowest = all.size() > 1 && all.stream().allMatch(d -> d.time() <= ours.time());
+    return "One question: Carom is "
+        + (ours.exact() ? "never wrong" : "wrong in " + ReportNumbers.count(ours.error()))
+        + (slowest ? ", but slowest" : "");
   }
 
   /** The time is the mean of the medians of all classes. */

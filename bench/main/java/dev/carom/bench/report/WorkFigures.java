@@ -16,6 +16,7 @@ import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
+import java.util.TreeMap;
 import java.util.function.Predicate;
 import java.util.stream.Collectors;
 
@@ -26,6 +27,15 @@ final class WorkFigures {
 
   /** So many of the other scenes are drawn; the table has all. */
   private static final int PANELS = 4;
+
+  /** Shorter than in the list of all methods: one line for both. */
+  private static final Map<String, String> EXPLAINED = new TreeMap<>();
+
+  static {
+    EXPLAINED.put("plain-grid", "plain doubles with a grid like Carom's");
+    EXPLAINED.put(
+        "poster", "the algorithm published then, every circle against every line, in float");
+  }
 
   private final Results results;
   private final Marks marks;
@@ -53,7 +63,7 @@ final class WorkFigures {
   private Figure lead(String scene) {
     List<Standing> all = standings(scene);
     String caption =
-        "Time of a frame against the worst error of one frame in %s. ".formatted(scene)
+        "Median time of a frame against the worst error of one frame in %s. ".formatted(scene)
             + caption(all, true);
     List<Panel> panels =
         new ArrayList<>(
@@ -64,10 +74,24 @@ final class WorkFigures {
         "work-" + scene,
         "Speed against accuracy",
         title(scene, all),
-        "Lower is faster, further left is more accurate. In the shaded area a method would be both faster and more accurate than Carom.",
+        "Lower is faster, further left is more accurate. In the shaded area a method would be both faster and more accurate than Carom."
+            + new QueryFigures(results).price()
+            + explained(),
         caption,
         panels,
         table(List.of(scene)));
+  }
+
+  /** What the names of those at the dots mean that do not say it: a sentence, or nothing. */
+  private String explained() {
+    List<String> told = new ArrayList<>();
+    EXPLAINED.forEach(
+        (method, what) -> {
+          if (results.methods().contains(method)) {
+            told.add(Glossary.name(method) + ": " + what);
+          }
+        });
+    return told.isEmpty() ? "" : " " + String.join("; ", told) + ".";
   }
 
   /** Carom and the engines at their best settings, as bars; none if no engine was timed. */
@@ -104,7 +128,7 @@ final class WorkFigures {
                         ReportNumbers.time(s.time().middle())))
             .toList();
     String note =
-        "Median time of a frame%s, without collisions; each engine at the best settings found.";
+        "The median frame of this one scene%s; the circles do not collide with each other. Each engine has the best settings found.";
     return Optional.of(
         new Figure(
             "engines",
@@ -122,7 +146,7 @@ final class WorkFigures {
 
   private DotChart chart(Map<String, List<Dot>> panels, String caption) {
     return new DotChart(
-        caption, marks, List.of(ERROR, "time of a frame"), 1e6 * Budget.MILLIS, panels);
+        caption, marks, List.of(ERROR, "median time of a frame"), 1e6 * Budget.MILLIS, panels);
   }
 
   /** One for each method that is drawn, at the setting that errs least. */
@@ -168,8 +192,8 @@ final class WorkFigures {
         "Speed against accuracy in other scenes",
         title,
         "The same chart for other scenes of 100 circles. Lower is faster, further left is more accurate.",
-        ("Time of a frame against the worst error of one frame. " + caption).strip(),
-        chart(panels, "Time of a frame against the worst error of one frame.")
+        ("Median time of a frame against the worst error of one frame. " + caption).strip(),
+        chart(panels, "Median time of a frame against the worst error of one frame.")
             .panels(DotChart.SMALL),
         table(scenes));
   }
@@ -275,7 +299,7 @@ final class WorkFigures {
         new ReportTable.Builder(
             "setting",
             "scene",
-            "time of a frame",
+            "median time of a frame",
             "worst frame",
             "error: worst",
             "99.9 %",

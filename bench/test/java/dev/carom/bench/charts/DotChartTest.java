@@ -64,6 +64,16 @@ class DotChartTest {
     assertThat(svg(dot("carom", "", 0, 1000))).contains(">0<").doesNotContain(">failed<");
   }
 
+  /** Nothing has fewer than no wrong answers: left of 0 there is no area in which one could be. */
+  @Test
+  void aDotWithoutErrorStandsAtTheAxisAndShadesNothing() {
+    String shade = "opacity:0.149";
+    assertThat(svg(dot("carom", "", 1e-15, 1000))).contains(shade);
+    assertThat(svg(dot("carom", "", 0, 1000), dot("peer", "", 4000, 100)))
+        .doesNotContain(shade)
+        .contains(">0<", ">1,000<", ">10,000<");
+  }
+
   @Test
   void aChartOfNothingButFailuresCanBeDrawn() {
     assertThat(svg(dot("overlap", "", Double.POSITIVE_INFINITY, Double.NaN))).contains(">failed<");
