@@ -4,6 +4,7 @@ package dev.carom.bench.report;
 import dev.carom.bench.results.Setting;
 import dev.carom.bench.stability.CellLimit;
 import dev.carom.bench.stability.CellOutcome;
+import java.util.Comparator;
 import java.util.List;
 import java.util.function.Predicate;
 import java.util.stream.IntStream;
@@ -12,10 +13,20 @@ import java.util.stream.IntStream;
  * The outcomes of all cells of a map.
  *
  * @param setting who played
+ * @param coarse in how many cells it is right to 0.1 radius; NaN if not counted
  * @param played false of one that has no code for such scenes
  */
 record MapTally(
-    Setting setting, List<CellOutcome> outcomes, List<CellLimit> limits, boolean played) {
+    Setting setting,
+    List<CellOutcome> outcomes,
+    List<CellLimit> limits,
+    double coarse,
+    boolean played) {
+
+  /** The more often right the better; where that is equal, the more often right to 0.1 radius. */
+  static final Comparator<MapTally> BY_RIGHT =
+      Comparator.comparingInt((MapTally t) -> t.count(CellOutcome.RIGHT))
+          .thenComparingDouble(t -> Double.isNaN(t.coarse) ? 0 : t.coarse);
 
   /** How many cells are of a class. */
   int count(CellOutcome outcome) {

@@ -69,9 +69,9 @@ final class Metrics {
     return (Glossary.name(setting.method()) + " " + shortKnob(setting)).strip();
   }
 
-  /** Whether it is an engine, as it comes or tuned. */
+  /** Whether it is a physics engine, which is compared as it comes and tuned. */
   static boolean isEngine(Setting setting) {
-    return isDefault(setting) || shortKnob(setting).equals("tuned");
+    return setting.knob().startsWith(PEER);
   }
 
   /** Whether a peer is left as it comes. */

@@ -14,7 +14,6 @@ import dev.carom.bench.stability.FailureMap;
 import dev.carom.bench.stability.Survey;
 import java.util.ArrayList;
 import java.util.Collection;
-import java.util.Comparator;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
@@ -84,7 +83,14 @@ public final class StabilityFigures {
     List<Setting> cannot = results.settings(scene, ReportRun.FAILURE);
     List<CellLimit> limits = limits(map);
     return Settings.of(results, scene, Survey.OUTCOME).stream()
-        .map(s -> new MapTally(s, outcomes(scene, s), limits, !cannot.contains(s)))
+        .map(
+            s ->
+                new MapTally(
+                    s,
+                    outcomes(scene, s),
+                    limits,
+                    results.value(scene, s, Survey.WITHIN, StabilityMatrix.COARSE),
+                    !cannot.contains(s)))
         .sorted((a, b) -> Boolean.compare(b.played(), a.played()))
         .toList();
   }
@@ -122,7 +128,7 @@ public final class StabilityFigures {
         tally.outcomes().stream().map(CellOutcome::ordinal).toList());
   }
 
-  /** Of each method the setting that is right most often, then near most often. */
+  /** Of each method the setting that is right most often, to 0.001 radius, then to 0.1. */
   private static Collection<MapTally> drawn(List<MapTally> tallies) {
     Map<String, MapTally> best = new LinkedHashMap<>();
     tallies.stream()
@@ -132,10 +138,7 @@ public final class StabilityFigures {
   }
 
   private static MapTally better(MapTally one, MapTally other) {
-    Comparator<MapTally> order = Comparator.comparingInt(t -> t.count(CellOutcome.RIGHT));
-    return order.thenComparingInt(t -> t.count(CellOutcome.DRIFTED)).compare(other, one) > 0
-        ? other
-        : one;
+    return MapTally.BY_RIGHT.compare(other, one) > 0 ? other : one;
   }
 
   /** The classes that occur, then the dark corner; nothing in place of the others. */

@@ -19,7 +19,7 @@ import java.util.stream.Stream;
 final class StabilityMatrix {
 
   private static final String FINE = "0.001";
-  private static final String COARSE = "0.1";
+  static final String COARSE = "0.1";
 
   private final Results results;
   private final List<FailureMap> maps;
@@ -110,7 +110,7 @@ final class StabilityMatrix {
 
   /** The conclusion. */
   String title() {
-    return best(s -> true)
+    return best()
         .map(
             next ->
                 "%s is right in %s of the small scenes; next is %s, with %s of those that it plays"
@@ -122,9 +122,13 @@ final class StabilityMatrix {
         .orElse("Where methods are right");
   }
 
-  private Optional<Setting> best(Predicate<Setting> among) {
+  private Optional<Setting> best() {
+    return best(s -> !s.equals(Metrics.CAROM));
+  }
+
+  private Optional<Setting> best(Predicate<Setting> who) {
     return settings().stream()
-        .filter(s -> !s.equals(Metrics.CAROM) && !played(s).isEmpty() && among.test(s))
+        .filter(s -> who.test(s) && !played(s).isEmpty())
         .max(Comparator.comparingDouble(s -> sum(played(s), s, FINE) / cells(played(s), s)));
   }
 
@@ -134,9 +138,15 @@ final class StabilityMatrix {
       return Optional.empty();
     }
     String rivals =
-        Stream.of(best(Metrics::isEngine), best(s -> s.method().equals("poster")))
+        Stream.of(best(), best(Metrics::isEngine), best(s -> s.method().equals("poster")))
             .flatMap(Optional::stream)
-            .map(s -> Glossary.name(s.method()) + ": " + percent(played(s), s, FINE))
+            .distinct()
+            .map(
+                s ->
+                    (Metrics.isEngine(s) ? "best engine, " : "")
+                        + Metrics.shortName(s)
+                        + ": "
+                        + percent(played(s), s, FINE))
             .collect(Collectors.joining("; "));
     String share = percent(maps, Metrics.CAROM, FINE);
     String what =

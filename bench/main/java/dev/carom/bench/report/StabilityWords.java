@@ -4,9 +4,10 @@ package dev.carom.bench.report;
 import dev.carom.bench.stability.CellLimit;
 import dev.carom.bench.stability.CellOutcome;
 import java.util.ArrayList;
-import java.util.Comparator;
 import java.util.List;
 import java.util.Locale;
+import java.util.Optional;
+import java.util.function.Predicate;
 import java.util.stream.Collectors;
 import java.util.stream.Stream;
 
@@ -38,17 +39,35 @@ final class StabilityWords {
         wrong == 0
             ? "Carom is right in all " + scenes
             : "Carom is wrong in %s of %s".formatted(ReportNumbers.count(wrong), scenes);
-    return tallies.stream()
-        .filter(t -> t.played() && Metrics.isEngine(t.setting()))
-        .max(Comparator.comparingInt(t -> t.count(CellOutcome.RIGHT)))
-        .map(
-            best ->
-                "%s; the best engine, %s, in %s"
-                    .formatted(
-                        whole,
-                        Glossary.name(best.setting().method()),
-                        share(best.count(CellOutcome.RIGHT), ours().outcomes().size())))
-        .orElse(whole);
+    int cells = ours().outcomes().size();
+    if (isLimited()) { // others are counted in all
+      whole +=
+          ", and right in %s of all %s"
+              .formatted(share(ours().count(CellOutcome.RIGHT), cells), ReportNumbers.count(cells));
+    }
+    Optional<MapTally> engine = best(t -> Metrics.isEngine(t.setting()));
+    List<String> rest = new ArrayList<>();
+    // No engine is praised or blamed where something simpler does better: that is named, too.
+    best(t -> !Metrics.isEngine(t.setting()) && Settings.isDrawn(t.setting()))
+        .filter(t -> engine.isEmpty() || MapTally.BY_RIGHT.compare(t, engine.get()) > 0)
+        .ifPresent(t -> rest.add(Metrics.shortName(t.setting()) + " in " + right(t)));
+    engine.ifPresent(
+        t -> rest.add("the best engine, " + Metrics.shortName(t.setting()) + ", in " + right(t)));
+    return rest.isEmpty() ? whole : whole + "; " + String.join("; ", rest);
+  }
+
+  private Optional<MapTally> best(Predicate<MapTally> who) {
+    return tallies.stream().skip(1).filter(t -> t.played() && who.test(t)).max(MapTally.BY_RIGHT);
+  }
+
+  /** Where none is right, a coarser limit tells more. */
+  private static String right(MapTally t) {
+    int n = t.outcomes().size();
+    int right = t.count(CellOutcome.RIGHT);
+    return share(right, n)
+        + (right == 0 && t.coarse() > 0
+            ? " (to 0.1 radius " + share((int) t.coarse(), n) + ")"
+            : "");
   }
 
   /** One sentence. */

@@ -36,6 +36,44 @@ class StabilityFiguresTest {
     series(method, "stability_outcome", 0, 0, 0, 0, 0, last.ordinal());
   }
 
+  private void engine(String method, String knob, int right, double coarse) {
+    for (int i = 0; i < N; i++) {
+      double outcome = (i < right ? CellOutcome.RIGHT : CellOutcome.DRIFTED).ordinal();
+      rows.add(
+          new Row(
+              "stability:gap", method, knob, "stability_outcome", "at@" + i, outcome, "1", N, -1));
+    }
+    rows.add(new Row("stability:gap", method, knob, "stability_within", "0.1", coarse, "1", N, -1));
+  }
+
+  @Test
+  void theTitleNamesTheBestEngineAndWhatDoesBetter() {
+    limits(CellLimit.NONE);
+    outcomes("carom", CellOutcome.RIGHT);
+    engine("gdx-box2d", "setting=best", 2, 2);
+    engine("jbox2d", "setting=best", 3, 3);
+    assertThat(figure().title())
+        .isEqualTo("Carom is right in all 6 scenes; the best engine, JBox2D tuned, in 50.0 %");
+
+    outcomes("plain-grid", CellOutcome.RIGHT);
+    assertThat(figure().title())
+        .isEqualTo(
+            "Carom is right in all 6 scenes; plain + grid in 100 %; the best engine, JBox2D tuned,"
+                + " in 50.0 %");
+  }
+
+  @Test
+  void ofSettingsThatAreNeverRightTheOneThatIsNearlyRightIsDrawn() {
+    limits(CellLimit.NONE);
+    outcomes("carom", CellOutcome.RIGHT);
+    engine("gdx-box2d", "setting=defaults, 30 px/m", 0, 1);
+    engine("gdx-box2d", "setting=best", 0, 3);
+
+    assertThat(figure().title())
+        .endsWith("; the best engine, Box2D tuned, in 0 % (to 0.1 radius 50.0 %)");
+    assertThat(svg()).contains(">tuned: 0 %<").doesNotContain(">defaults");
+  }
+
   private Figure figure() {
     return new StabilityFigures(new Results(Sample.METADATA, rows)).figures().get(0);
   }
@@ -52,7 +90,8 @@ class StabilityFiguresTest {
             "Wrong cells of Carom, by gap between two lines and speed: 0 of 6 (below 50 % at 95 %);"
                 + " of all 6 cells it is right in 100 %, of the others published 2010 in most, 100 %, and"
                 + " overlap test in fewest, 83.3 %.");
-    assertThat(figure().picture().title()).startsWith("Carom is right in all 6 scenes. A ball");
+    assertThat(figure().picture().title())
+        .startsWith("Carom is right in all 6 scenes; published 2010 in 100 %. A ball");
     assertThat(figure().id()).isEqualTo("fails-gap");
   }
 
