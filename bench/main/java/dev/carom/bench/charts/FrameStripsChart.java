@@ -77,7 +77,7 @@ public final class FrameStripsChart {
                 strips.stream().flatMapToDouble(s -> Arrays.stream(s.nanos())),
                 DoubleStream.of(budget)),
             nanos -> Durations.text(nanos, 1));
-    times.setLabel("time of a frame");
+    times.setLabel("time of a frame, logarithmic");
     times.withGutters(EDGE, 0);
     NumberAxis rows = new NumberAxis(null);
     rows.setRange(0, strips.size());

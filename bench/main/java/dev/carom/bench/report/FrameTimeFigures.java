@@ -71,7 +71,7 @@ final class FrameTimeFigures {
         "frames",
         "All frame times",
         title,
-        "Each dot is one frame%s. Thick line: median. Dashed: 16.67 ms, all that 60 frames a second allow."
+        "Each dot is one frame%s, on a logarithmic scale. Thick line: median; thin line: the slowest. Dashed: 16.67 ms, all that 60 frames a second allow."
             .formatted(Scenes.size(first)),
         budget + String.join(" ", told),
         List.of(
