@@ -72,7 +72,7 @@ public final class FeatureFigures {
                 "features",
                 "No more than a scene needs",
                 title(),
-                "100 circles, by Carom, mean of 600 frames. A scene pays only for what it uses.",
+                "100 circles, by Carom: the mean of 600 frames, to which the making of the world adds its share. A scene pays only for what it uses.",
                 title() + ".",
                 List.of(new Panel("", new BarChart(title(), bars).picture())),
                 table()));
@@ -83,7 +83,7 @@ public final class FeatureFigures {
     double lines = value(Features.SCENE + "lines", Features.TIME, "median");
     return Double.isNaN(least) || Double.isNaN(lines)
         ? "What each thing that a scene uses costs"
-        : "On average a frame takes %s where there is nothing to hit, %s among 100 lines"
+        : "The mean frame takes %s where there is nothing to hit, %s among 100 lines"
             .formatted(ReportNumbers.time(least), ReportNumbers.time(lines));
   }
 
@@ -94,7 +94,8 @@ public final class FeatureFigures {
   /** The numbers: a row for each use. */
   public ReportTable table() {
     ReportTable.Builder table =
-        new ReportTable.Builder("a scene of", "a frame", "impacts a frame", "an impact", "memory");
+        new ReportTable.Builder(
+            "a scene of", "mean frame", "impacts a frame", "an impact", "memory");
     USES.forEach(
         (use, words) -> {
           String scene = Features.SCENE + use;

@@ -60,12 +60,12 @@ final class FirstScreen {
     List<String> rest = new ArrayList<>();
     nearest(carom).ifPresent(rest::add);
     engine(carom).ifPresent(rest::add);
-    return "%s%s: %s a frame%s%s."
+    return "%s%s: the median frame%s takes %s%s."
         .formatted(
             exactness(),
             rank,
-            ReportNumbers.time(carom.time().middle()),
             Scenes.size(scene),
+            ReportNumbers.time(carom.time().middle()),
             rest.isEmpty() ? "" : "; " + String.join("; ", rest));
   }
 

@@ -134,7 +134,7 @@ final class PriceTables {
   ReportTable frames() {
     ReportTable.Builder table =
         new ReportTable.Builder(
-            "a frame of",
+            "the median frame of",
             "Carom",
             "plain + grid",
             "Carom takes",

@@ -113,7 +113,7 @@ public final class SweepFigures {
     }
     return full.entrySet().stream()
             .map(e -> Glossary.name(e.getKey()) + " " + ReportNumbers.time(e.getValue()))
-            .collect(Collectors.joining(", ", "A frame with the most circles: ", "; "))
+            .collect(Collectors.joining(", ", "The mean frame with the most circles: ", "; "))
         + "in the publication "
         + ReportNumbers.time(1e9 / Budget.PUBLISHED_FPS);
   }

@@ -128,6 +128,6 @@ class FiguresOfReportTest {
     assertThat(figure(Sample.complete(), "sweep").caption())
         .contains("The time of Carom grows with the number of circles to the power 1.00")
         .contains("The time of published 2010 grows with the number of circles to the power 1.02")
-        .contains("A frame with the most circles: ", "; in the publication 52.1 ms");
+        .contains("The mean frame with the most circles: ", "; in the publication 52.1 ms");
   }
 }
