@@ -333,6 +333,22 @@ class ContactTurningTest {
     assertThat(world.vx(0) > 0).isEqualTo(e > 0); // the next impact has freed it
   }
 
+  /** Without gravity also in contact: a ball that is pushed slides along, and comes no nearer. */
+  @ParameterizedTest
+  @ValueSource(booleans = {false, true})
+  void aOneWayLineStopsABallThatOverlapsIt(boolean collide) {
+    World world =
+        new World(
+            line(60, 0, 0, collide).line(17, 100, 17, -50).oneWay().circle(20, 4, 4, 0, 0).build());
+    world.turn(Kind.LINE, 0, 0, 0, 0.8, 1);
+    for (int k = 1; k <= 100; k++) {
+      world.advanceTo(k / 100.0);
+      assertThat(world.x(0)).as("at %s", k).isGreaterThan(20 - 1e-9);
+      assertThat(gap(world, 0, 0)).as("at %s", k).isGreaterThan(-1e-8);
+    }
+    assertThat(world.y(0)).isGreaterThan(20);
+  }
+
   /** Solid from outside, and from its left: a ball inside of them leaves. */
   @ParameterizedTest
   @CsvSource({"0", "300"})

@@ -501,7 +501,9 @@ final class ContactGraph {
     p.felt[k] = turns ? feelTurn(k, q, time) : feelStraight(k, q, time);
     if (p.felt[k] && parts.isOneSided(part)) {
       boolean isSolid = parts.isSolidFrom(part, members.x[a], members.y[a]);
-      p.through[k] = !isSolid || (p.through[k] && p.gap[k] < -p.standoff[k]);
+      // Without gravity a one-way line stops a circle that overlaps it, too.
+      boolean lasts = gx != 0 || gy != 0 || !parts.isOneWay(part);
+      p.through[k] = !isSolid || (lasts && p.through[k] && p.gap[k] < -p.standoff[k]);
     } else if (p.felt[k] && p.gap[k] >= 0) {
       p.through[k] = false;
     }

@@ -179,10 +179,14 @@ final class Newcomers {
     planes.add(approach.nx, approach.ny, other - approach.gap / time);
   }
 
-  /** Whether a part is there for a newcomer: it passes through one-way lines that it overlaps. */
+  /**
+   * Whether a part is there for a newcomer: under gravity it passes through one-way lines that it
+   * overlaps.
+   */
   private boolean isSolid(int p, int i) {
+    boolean mayPass = parts.isOneWay(p) && (gx != 0 || gy != 0);
     return parts.isSolidFrom(p, members.x[i], members.y[i])
-        && (!parts.isOneWay(p) || parts.distance >= members.radius[i] * (1 - ContactLaw.STANDOFF));
+        && (!mayPass || parts.distance >= members.radius[i] * (1 - ContactLaw.STANDOFF));
   }
 
   /**

@@ -233,8 +233,6 @@ public final class Shock {
     parts.update(time.tl);
     graph.slack = touch;
     graph.list(before, time.t, 0);
-    // Without gravity a one-way line stops a circle that overlaps it, too.
-    Arrays.fill(graph.pairs.through, 0, graph.pairs.size, false);
     graph.measure(before, 0);
     pairs = graph.pairs;
     contacts.clear();
