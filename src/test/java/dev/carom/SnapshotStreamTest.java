@@ -5,6 +5,7 @@ import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.assertThatThrownBy;
 
 import dev.carom.internal.state.Codes;
+import dev.carom.internal.state.ContactRow;
 import dev.carom.internal.state.IgnoreList;
 import dev.carom.internal.state.MovingCircle;
 import dev.carom.internal.state.SizeLimits;
@@ -528,6 +529,21 @@ class SnapshotStreamTest {
     Snapshot snapshot = read(small());
     snapshot.state.flights().jams = new IgnoreList[] {null, IgnoreList.crushedBy(null, 4)};
     assertRefused(SnapshotBytes.of(snapshot), "code 4 does not exist");
+  }
+
+  /** An awake member's tick has a length above 0, and does not end before the snapshot. */
+  @Test
+  void aClockThatStandsIsRefused() throws IOException {
+    SceneBuilder scene = Scene.builder().gravity(0, -10).line(-10, 10, 0, 0).line(0, 0, 10, 10);
+    World world = new World(scene.circle(0.5, 4, 1, 0, 0).restitution(0).build());
+    world.advanceTo(1);
+    byte[] bytes = SnapshotBytes.of(world.snapshot());
+    for (int column : new int[] {ContactRow.TAU, ContactRow.END}) {
+      Snapshot snapshot = read(bytes);
+      double[] row = snapshot.state.flights().contactRows[0];
+      row[column] = column == ContactRow.TAU ? 0 : Math.nextDown(1.0);
+      assertRefused(SnapshotBytes.of(snapshot), "a tick ends at " + row[ContactRow.END]);
+    }
   }
 
   @Test

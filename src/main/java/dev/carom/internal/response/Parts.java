@@ -817,8 +817,9 @@ final class Parts {
   }
 
   /**
-   * The same at a vertex, where a place projects on none of its sides. It is between the normals of
-   * two sides of a polygon, outside or inside of both: so their heights have the sum's sign.
+   * The same at a vertex, where a place projects on none of its sides. Of a polygon it is then at
+   * {@code a n + b m} from the vertex, for the normals n and m of two sides, with a, b of one sign:
+   * both above 0 outside. The sum of its heights over both is {@code (a + b) (1 + n.m)}.
    */
   private boolean isSolidAtEnd(int vertex, int side, double px, double py) {
     double sum = height(side, px, py);

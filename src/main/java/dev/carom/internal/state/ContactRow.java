@@ -8,8 +8,8 @@ package dev.carom.internal.state;
  */
 public final class ContactRow {
 
-  // The columns that others read, too. The clock: the length of a tick (0 before its start), its
-  // end, and that of an uncut one; the place in the order of those awake, else -1; the margin.
+  // The columns that others read, too. The clock: the length of a tick, its end, and that of an
+  // uncut one; the place in the order of those awake, else -1; the margin.
   public static final int TAU = 5;
   public static final int END = 6;
   public static final int DUE = 7;

@@ -267,9 +267,9 @@ final class GapSearch {
   }
 
   /**
-   * The sign of a projection at a contact that is rounded to t. If it changes there, at a border,
-   * the gaps of both regions have one sign at the border; and both fall: so the contact is later if
-   * that is above 0, and earlier if it is below.
+   * The sign of a projection at a contact that is rounded to t. Where it changes its sign, the gaps
+   * of both regions are equal, and both fall. So the contact comes after that if they are above 0
+   * there, and before if they are below.
    */
   private int signAtContact(GapPolynomial projection, int region, double t) {
     int near = projection.signNear(t);
