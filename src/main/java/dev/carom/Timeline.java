@@ -31,7 +31,7 @@ import dev.carom.internal.util.Check;
 public final class Timeline {
 
   private final World world;
-  private final TimelineRecorder recorder;
+  final TimelineRecorder recorder;
 
   Timeline(World world, TimelineRecorder recorder) {
     this.world = world;
@@ -140,7 +140,7 @@ public final class Timeline {
       case CIRCLE -> {
         FlightHistory track = track(id, t);
         Vec2 center = Vec2.within(track.x(t, recorder.walls()), track.y(t, recorder.walls()));
-        yield new Circle(center, track.rows.radius(track.find(t)));
+        yield new Circle(center, track.radius(t));
       }
       case LINE -> PublicRecords.lines(rows(kind, id, t), recorder.isSolid(kind.ordinal(), id, t));
       case PEG -> PublicRecords.peg(rows(kind, id, t)[0], 0);
@@ -155,8 +155,9 @@ public final class Timeline {
    * <p>It equals the snapshot that the world would have taken when it stood at that time. If the
    * world was edited there, it holds the edits, and the impacts that they caused at once. At the
    * {@linkplain #end end} of the recording such impacts may still be missing: the next step makes
-   * them. A call takes time in proportion to the circles, lines and pegs that are recorded. The
-   * length of the recording does not matter.
+   * them. A call takes time in proportion to the circles, lines and pegs that are recorded; where
+   * circles in contact fly, also as much as a world takes to play their last hundred ticks or the
+   * last step, whichever is longer. The length of the recording does not matter.
    *
    * <p>To go back more than once, take all snapshots first, or {@link #stop} the recording before
    * the restore: a world that records and is restored begins its recording anew.
@@ -166,7 +167,16 @@ public final class Timeline {
    * @throws IllegalArgumentException if the time is not known
    */
   public Snapshot snapshot(double t) {
-    return new Snapshot(recorder.state(checked(t) + 0.0)); // 0 for -0
+    double goal = checked(t) + 0.0; // 0 for -0
+    double stand = recorder.lastStand(goal);
+    Snapshot past = new Snapshot(recorder.state(stand));
+    if (stand == goal) {
+      return past;
+    }
+    World again = new World(world.scene());
+    again.restore(past);
+    again.advanceTo(goal, Long.MAX_VALUE);
+    return again.snapshot();
   }
 
   /** Stops the recording, if it goes on. What is recorded stays, up to the present time. */

@@ -278,6 +278,9 @@ public final class World implements Resolver {
     if (registry.isSparse()) {
       engine.compact(now);
     }
+    if (recorder != null) {
+      engine.standBefore(now);
+    }
   }
 
   private void finish(double reached) {
@@ -285,6 +288,7 @@ public final class World implements Resolver {
     now = reached;
     if (recorder != null) {
       recorder.advance(now);
+      engine.standAfter(now);
     }
     if (uncertainty != null) {
       uncertainty.update();
@@ -635,6 +639,9 @@ public final class World implements Resolver {
   /** Returns the editor; questions forget what they know. */
   private Editor edit() {
     questions.changed();
+    if (recorder != null) {
+      recorder.noteEdit();
+    }
     return editor;
   }
 
@@ -1028,11 +1035,11 @@ public final class World implements Resolver {
    *
    * <p>What ended before the start is dropped: flights, changes, and removed things. So the memory
    * of a recording is bounded by what happens within the duration; with {@code +infinity} it grows
-   * without end. A flight takes 72 bytes, and 24 more under gravity. A change of a circle within a
-   * flight counts as one more flight, such as another mass, or a contact with another circle that a
-   * sensor reports. A circle in contact takes 250 bytes more for each tick, and 32 for each thing
-   * near it; one at rest takes nothing. Each circle has room for up to four times the flights that
-   * it needs.
+   * without end. A flight takes 56 bytes, 24 more under gravity, and 24 more where a sensor
+   * reported another circle. A change of a circle within a flight counts as one more flight, such
+   * as another mass. A circle in contact takes 100 bytes a tick; one at rest takes nothing. Each
+   * edit takes some 300 more for each circle in contact. Each circle has room for up to four times
+   * the flights that it needs, as long as the recording goes on.
    *
    * @param duration the time to keep, in the unit of {@link #now}, from 0 to {@code +infinity}
    * @return the timeline, which goes on as the world does

@@ -112,6 +112,69 @@ class RewindTest {
     }
   }
 
+  // Contact.
+
+  private static Scene heap(boolean collide) {
+    SceneBuilder scene = Scene.builder().collide(collide).gravity(0, 0.05).bounds(0, 0, 200, 400);
+    scene.restitution(0.7).line(20, 390, 180, 390).restitution(0.7).peg(100, 300, 12);
+    for (int i = 0; i < 12; i++) {
+      scene.circle(30 + 45 * (i % 4) + i, 40 + 50 * (i / 4), 10, 0.3, -0.2).restitution(0.6);
+    }
+    return scene.build();
+  }
+
+  private static void editHeap(World world, Random random) {
+    int ball = random.nextInt(12);
+    switch (random.nextInt(9)) {
+      case 0 -> world.setVelocity(ball, random.nextGaussian(), -random.nextInt(3));
+      case 1 -> world.moveTo(LINE, 0, 20, 380, world.now() + 7);
+      case 2 -> world.moveTo(LINE, 0, 20, 390, world.now() + 7);
+      case 3 -> world.setGravity(random.nextInt(3) * 0.01, 0.05);
+      case 4 -> world.setTraits(CIRCLE, ball, world.traits(CIRCLE, ball).withMass(2));
+      case 5 -> world.addPeg(20 + random.nextInt(160), 200, 3, Traits.DEFAULT);
+      default -> {} // some frames are as long as many ticks
+    }
+  }
+
+  /**
+   * What contact knows is kept at some times only, and played again from there. Edits, arrivals and
+   * rests are between.
+   */
+  @ParameterizedTest
+  @CsvSource({"1, true", "2, true", "3, true", "4, false", "5, false", "6, false"})
+  void ofAHeapToo(int seed, boolean collide) {
+    Random random = new Random(seed);
+    World world = new World(heap(collide));
+    World other = new World(heap(collide));
+    Timeline past = world.record(seed % 3 == 0 ? 200 : MOST);
+    TreeMap<Double, Snapshot> expected = new TreeMap<>();
+    int inContact = 0;
+    for (int i = 0; i < 60; i++) {
+      double now = world.now();
+      long edits = random.nextLong();
+      editHeap(world, new Random(edits));
+      editHeap(other, new Random(edits));
+      double end = now + (i == 40 ? 600 : 1 + random.nextInt(25));
+      for (double t : random.doubles(3, now, end).sorted().toArray()) {
+        other.advanceTo(t);
+        expected.put(t, other.snapshot());
+        inContact += other.isResting(0) ? 0 : 1;
+      }
+      world.advanceTo(end);
+      other.advanceTo(end);
+      expected.put(end, other.snapshot());
+      expected.remove(now); // an edit follows, or what an arrival brings about
+    }
+    assertThat(inContact).isGreaterThan(40);
+    expected
+        .tailMap(past.start())
+        .forEach((t, then) -> assertThat(past.snapshot(t)).as("at %s", t).isEqualTo(then));
+    past.stop();
+    expected
+        .tailMap(past.start())
+        .forEach((t, then) -> assertThat(past.snapshot(t)).as("at %s", t).isEqualTo(then));
+  }
+
   // Changes within flights.
 
   /** Snapshots before and after each change, then one more change of the same kind. */

@@ -292,6 +292,34 @@ class TimelineTest {
     assertThat(old.count(Kind.CIRCLE)).isEqualTo(young.count(Kind.CIRCLE));
   }
 
+  /**
+   * With all that contact knows at each tick it would be 450. A kilobyte of each circle is for its
+   * first and last stand.
+   */
+  @Tag("long")
+  @Test
+  void aMemberOfAHeapTakesAHundredBytesATick() {
+    SceneBuilder scene = Scene.builder().gravity(0, 0.05).bounds(0, 0, 227, 700).restitution(0.8);
+    for (int i = 0; i < 100; i++) {
+      scene.circle(20 + 22 * (i % 9), 680 - 30 * (i / 9), 10, 0.1 * (i % 7), 0).restitution(0.8);
+    }
+    World world = new World(scene.build());
+    Timeline[] timeline = {world.record(1000)};
+    for (int frame = 1; frame <= 1000; frame++) {
+      world.advanceTo(frame);
+    }
+    timeline[0].stop();
+    long flights = 0;
+    for (int i = 0; i < 100; i++) {
+      flights += timeline[0].recorder.track(i, 1000).rows.capacity();
+    }
+    long with = usedMemory();
+    timeline[0] = null;
+    assertThat(with - usedMemory()).isBetween(95 * flights, 100 * flights + 100 * 1000);
+    assertThat(flights).isGreaterThan(15_000);
+    assertThat(world.now()).isEqualTo(1000);
+  }
+
   @Test
   void ofRemovedLinesAndPegsTheFirstAreDropped() {
     World world = new World(Scene.builder().line(0, 0, 1, 0).peg(5, 5, 1).build());

@@ -5,6 +5,7 @@ import dev.carom.Impact;
 import dev.carom.Kind;
 import dev.carom.Scene;
 import dev.carom.Snapshot;
+import dev.carom.Timeline;
 import dev.carom.World;
 import java.util.ArrayList;
 import java.util.Arrays;
@@ -35,8 +36,9 @@ final class OtherWays {
    * Compares a step with its other ways.
    *
    * @param before the world before the step
+   * @param timeline the recorded step
    */
-  void check(Snapshot before, World world) throws FindingException {
+  void check(Snapshot before, World world, Timeline timeline) throws FindingException {
     List<Impact> rows = rows(world);
     Snapshot after = world.snapshot();
     double[] cuts = cuts(before.now(), world.now(), rows);
@@ -47,6 +49,9 @@ final class OtherWays {
     int middle = random.nextInt(cuts.length);
     for (int k = 0; k < cuts.length; k++) {
       if (k == middle) {
+        if (sliced.now() > before.now()) {
+          same("recorded at " + sliced.now(), sliced.snapshot(), timeline.snapshot(sliced.now()));
+        }
         restored.restore(sliced.snapshot());
         List<Impact> rest = play(restored, world.now());
         same(

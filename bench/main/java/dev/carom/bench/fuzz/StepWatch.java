@@ -162,7 +162,7 @@ final class StepWatch {
       deep.read(world, timeline);
       checkFlights(start, timeline);
       if (isWithinClock() && steps % EACH == 0) {
-        ways.check(before, world);
+        ways.check(before, world, timeline);
       }
     } else {
       deep.assumeOf(world);

@@ -345,12 +345,13 @@ class ChecksTest extends FlightChecks {
     World world = new World(box().circle(20, 50, 5, -9, 3).circle(60, 50, 5, 2, 3).build());
     OtherWays ways = new OtherWays(world.scene(), 1);
     Snapshot before = world.snapshot();
+    Timeline timeline = world.record(100);
     world.step(9);
-    ways.check(before, world);
+    ways.check(before, world, timeline);
     Snapshot between = world.snapshot();
     world.setVelocity(0, 8, 2);
     world.step(9);
-    assertThatThrownBy(() -> ways.check(between, world)).hasMessageContaining("expected");
+    assertThatThrownBy(() -> ways.check(between, world, timeline)).hasMessageContaining("expected");
     ways.checkAlone(1, between, world, rows(world, 1));
     assertThatThrownBy(() -> ways.checkAlone(0, between, world, rows(world, 0)))
         .hasMessageContaining("circle 0 alone");

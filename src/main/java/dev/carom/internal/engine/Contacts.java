@@ -190,18 +190,10 @@ final class Contacts implements ContactHost, Shock.Others {
 
   // State.
 
-  /** Records what contact knows of its members, if anything is recorded. */
+  /** After a change: a stand at this time was not the last word. */
   private void note(double now) {
-    for (int i = 0; engine.recorder != null && core != null && i < room; i++) {
-      note(i, now);
-    }
-  }
-
-  private void note(int i, double now) {
-    if (isMember(i)) {
-      circles.load(i, body);
-      save(body);
-      engine.recorder.addContact(body, now);
+    if (engine.recorder != null && engine.recorder.isStand(now)) {
+      engine.stand(now);
     }
   }
 

@@ -146,6 +146,9 @@ public abstract class Engine {
         spent++;
       }
     }
+    if (recorder != null) {
+      stand(now);
+    }
   }
 
   /** Advances all circles to a time before which no obstacle arrives, see {@link #advance}. */
@@ -348,6 +351,46 @@ public abstract class Engine {
         recorder.add(circles.body, circles.body.t);
       }
     }
+  }
+
+  /** Lets a recording stand here before a step, if the world was edited. */
+  public final void standBefore(double now) {
+    if (recorder.takeEdits()) { // which cannot be played again
+      stand(now);
+    }
+  }
+
+  /** Lets a recording stand here after a step, if it is time. */
+  public final void standAfter(double now) {
+    if (!recorder.isAtRest() && (recorder.isLong() || !anyTicks())) {
+      stand(now);
+    }
+  }
+
+  private boolean anyTicks() {
+    boolean any = false;
+    LiveCodes present = registry.present();
+    for (int k = 0; k < present.size() && !any; k++) {
+      int i = present.get(k);
+      any = registry.contains(i) && circles.isMember(i) && !circles.isFrozen(i);
+    }
+    return any;
+  }
+
+  /** Tells a recording all that contact knows now. */
+  final void stand(double now) {
+    int flying = 0;
+    LiveCodes present = registry.present();
+    for (int k = 0; k < present.size(); k++) {
+      int i = present.get(k);
+      if (registry.contains(i) && circles.isMember(i)) {
+        circles.load(i, changed);
+        saveContact(changed);
+        recorder.keepContact(changed, now);
+        flying += circles.isFrozen(i) ? 0 : 1;
+      }
+    }
+    recorder.stand(now, flying);
   }
 
   /** The tail of the last event of circles that collide if that was now; else 0. */

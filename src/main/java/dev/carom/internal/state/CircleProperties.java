@@ -2,14 +2,14 @@
 package dev.carom.internal.state;
 
 /**
- * What an edit may change of a circle within a flight.
+ * What edits may change of a circle, and nothing else does.
  *
  * @param traits its {@link ContactFlags}
  * @param filter its {@link FilterBits}
  * @param confined whether walls keep it inside
  */
 record CircleProperties(
-    double mass, double restitution, int traits, long filter, boolean confined) {
+    double radius, double mass, double restitution, int traits, long filter, boolean confined) {
 
   /** The properties of a circle; a known object, if it has the same. */
   static CircleProperties of(
@@ -20,11 +20,14 @@ record CircleProperties(
     boolean confined = obstacles.wallsFor(filter) != null;
     boolean isSame =
         known != null
+            && m.radius == known.radius
             && mass == known.mass
             && m.restitution == known.restitution
             && traits == known.traits
             && filter == known.filter
             && confined == known.confined;
-    return isSame ? known : new CircleProperties(mass, m.restitution, traits, filter, confined);
+    return isSame
+        ? known
+        : new CircleProperties(m.radius, mass, m.restitution, traits, filter, confined);
   }
 }

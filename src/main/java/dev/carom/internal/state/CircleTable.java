@@ -142,13 +142,13 @@ public final class CircleTable extends FlightTable {
 
   public double x(int i, double now) {
     double free = freeX(i, now);
-    double confined = confinedX(i, free, walls);
+    double confined = confinedX(i, free, radius(i), walls);
     return confined == free || wallsOf(i) != null ? confined : free;
   }
 
   public double y(int i, double now) {
     double free = freeY(i, now);
-    double confined = confinedY(i, free, walls);
+    double confined = confinedY(i, free, radius(i), walls);
     return confined == free || wallsOf(i) != null ? confined : free;
   }
 

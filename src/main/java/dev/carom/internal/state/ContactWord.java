@@ -10,6 +10,9 @@ import dev.carom.internal.sweep.Contact;
  */
 public final class ContactWord {
 
+  /** The number of its bits. */
+  static final int BITS = 6;
+
   private static final int CONTACT = 15;
   private static final int PUSHED = 1 << 4;
   private static final int SETTLED = 1 << 5;

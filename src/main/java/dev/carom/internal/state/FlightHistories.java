@@ -63,6 +63,13 @@ final class FlightHistories {
     removed = Math.min(removed, now);
   }
 
+  /** Gives back the room for flights to come. */
+  void trim() {
+    for (int k = 0; k < size; k++) {
+      tracks[k].trim();
+    }
+  }
+
   /** Drops the circles that were removed by a time. */
   void forget(double time) {
     if (removed <= time) {

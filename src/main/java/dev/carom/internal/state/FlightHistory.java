@@ -5,7 +5,7 @@ import java.util.Arrays;
 
 /**
  * The recorded past of one circle: a row for each flight, and for each change within a flight.
- * Other circles are named by their ids.
+ * Other circles are named by their ids. What contact knows of it is kept at some times only.
  */
 public final class FlightHistory extends History {
 
@@ -20,6 +20,9 @@ public final class FlightHistory extends History {
 
   /** All its properties; null as long as they are the same. */
   private Changes<CircleProperties> properties;
+
+  /** Its {@link ContactRow}, at times at which all are kept; null before the first. */
+  private Changes<double[]> contactRows;
 
   /** The time at which the circle was removed. */
   private double removed = Double.POSITIVE_INFINITY;
@@ -60,9 +63,12 @@ public final class FlightHistory extends History {
     }
   }
 
-  /** Whether the newest row holds the same {@link ContactRow}. */
-  boolean knows(double[] contactRow) {
-    return Arrays.equals(rows.contactRow(newest()), contactRow);
+  /** Keeps what contact knows of the circle from a time on, if that has changed. */
+  void keepContact(double time, double[] row, double horizon) {
+    contactRows = contactRows == null ? new Changes<>() : contactRows;
+    if (!Arrays.equals(contactRows.last(), row)) {
+      contactRows.set(time, row, horizon);
+    }
   }
 
   private void setProperties(double time, CircleProperties its, double horizon) {
@@ -90,15 +96,15 @@ public final class FlightHistory extends History {
   public double x(double t, double[] walls) {
     int place = find(t);
     double free = rows.freeX(place, t);
-    double confined = rows.confinedX(place, free, walls);
-    return confined == free || properties(t).confined() ? confined : free;
+    CircleProperties its = properties(t);
+    return its.confined() ? rows.confinedX(place, free, its.radius(), walls) : free;
   }
 
   public double y(double t, double[] walls) {
     int place = find(t);
     double free = rows.freeY(place, t);
-    double confined = rows.confinedY(place, free, walls);
-    return confined == free || properties(t).confined() ? confined : free;
+    CircleProperties its = properties(t);
+    return its.confined() ? rows.confinedY(place, free, its.radius(), walls) : free;
   }
 
   private CircleProperties properties(double t) {
@@ -110,12 +116,18 @@ public final class FlightHistory extends History {
     return latest;
   }
 
+  public double radius(double t) {
+    return properties(t).radius();
+  }
+
   /** Loads the circle as it was at a time, without a prediction, and returns its properties. */
   CircleProperties load(double t, MovingCircle m) {
     rows.get(find(t), m);
     m.forgetPrediction(0, 0);
     CircleProperties its = properties(t);
     m.restitution = its.restitution();
+    m.radius = its.radius();
+    m.contactRow = m.isMember() && contactRows != null ? contactRows.at(t) : null;
     return its;
   }
 }

@@ -21,9 +21,10 @@ public class FlightTable {
   public static final int RESTITUTION = 8;
   static final int NUMBERS = 9;
 
-  // In the past the ints stand in their place: so a row of it is in one array.
-  private static final int PAST_LAST = FlightRow.SIZE;
-  private static final int PAST_STUCK = FlightRow.SIZE + 1;
+  // In the past the ints stand together in place of the radius, which no flight changes: so a row
+  // of it is in one array. The low bits are those of the contact, and below them of STUCK.
+  private static final int PAST_INTS = FlightRow.RADIUS;
+  private static final int PAST_NUMBERS = FlightRow.RADIUS + 1;
 
   // The columns of ints.
   public static final int LAST = 0;
@@ -103,9 +104,9 @@ public class FlightTable {
     hasRare = true;
   }
 
-  /** Creates a table of the past, which has no ints. */
+  /** Creates a table of the past, which has no ints, no radius, and no rows of contact. */
   static FlightTable past() {
-    return new FlightTable(0, 0, NUMBERS, 0, 0);
+    return new FlightTable(0, 0, PAST_NUMBERS, 0, 0);
   }
 
   /** Creates a table with further columns, and with numbers before its first row. */
@@ -183,9 +184,8 @@ public class FlightTable {
       putFlight(m, state, k, codes, c);
     } else {
       FlightRow.put(m, state, k);
-      state[k + PAST_LAST] = m.last;
-      long stuck = (long) m.stuck << Integer.SIZE | Integer.toUnsignedLong(ContactWord.of(m));
-      state[k + PAST_STUCK] = Double.longBitsToDouble(stuck);
+      long low = (long) m.stuck << ContactWord.BITS | ContactWord.of(m);
+      state[k + PAST_INTS] = Double.longBitsToDouble((long) m.last << Integer.SIZE | low);
     }
     putRare(i, m);
   }
@@ -200,10 +200,10 @@ public class FlightTable {
       getPast(m, codes, c);
     } else {
       m.newFlight();
-      m.last = (int) state[k + PAST_LAST];
-      long stuck = Double.doubleToRawLongBits(state[k + PAST_STUCK]);
-      m.stuck = (int) (stuck >> Integer.SIZE);
-      ContactWord.recall((int) stuck, m);
+      long ints = Double.doubleToRawLongBits(state[k + PAST_INTS]);
+      m.last = (int) (ints >> Integer.SIZE);
+      m.stuck = (int) ints >> ContactWord.BITS;
+      ContactWord.recall((int) ints, m);
     }
     getRare(i, m);
   }
@@ -274,7 +274,7 @@ public class FlightTable {
       momenta[MOMENTUM * i + PX] = m.px;
       momenta[MOMENTUM * i + PY] = m.py;
     }
-    if (contactRows != null || m.contactRow != null) {
+    if (codeStride > 0 && (contactRows != null || m.contactRow != null)) {
       contactRows = contactRows == null ? new double[capacity][] : contactRows;
       contactRows[i] = m.contactRow;
     }
@@ -355,7 +355,7 @@ public class FlightTable {
   }
 
   /** The {@link ContactRow} of a circle; null if none is kept here. */
-  final double[] contactRow(int i) {
+  private double[] contactRow(int i) {
     return contactRows == null ? null : contactRows[i];
   }
 
@@ -386,6 +386,11 @@ public class FlightTable {
   /** Whether a circle is an awake member of those in contact. */
   public final boolean isAwake(int i) {
     return supportWord(i) == MovingCircle.WORD_OF_AWAKE;
+  }
+
+  /** Whether a circle rests as a member of those in contact. */
+  public final boolean isFrozen(int i) {
+    return supportWord(i) == MovingCircle.WORD_OF_FROZEN;
   }
 
   /** The line or wall on which a circle slides or rests; NOTHING if on none, or in contact. */
@@ -421,13 +426,13 @@ public class FlightTable {
         state[k + FlightRow.Y], state[k + FlightRow.VY], gy(i), since(i, now));
   }
 
-  /** A {@link #freeX} inside of walls, see {@link ObstacleTable#walls}. */
-  final double confinedX(int i, double x, double[] walls) {
-    return Confinement.x(walls, state[at(i) + FlightRow.X], x, radius(i));
+  /** A {@link #freeX} of a circle of a radius inside of walls, see {@link ObstacleTable#walls}. */
+  final double confinedX(int i, double x, double radius, double[] walls) {
+    return Confinement.x(walls, state[at(i) + FlightRow.X], x, radius);
   }
 
-  final double confinedY(int i, double y, double[] walls) {
-    return Confinement.y(walls, state[at(i) + FlightRow.Y], y, radius(i));
+  final double confinedY(int i, double y, double radius, double[] walls) {
+    return Confinement.y(walls, state[at(i) + FlightRow.Y], y, radius);
   }
 
   /** The velocity that a world shows of a circle: that of an awake member is its momentum. */

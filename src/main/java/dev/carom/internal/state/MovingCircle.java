@@ -42,6 +42,8 @@ public final class MovingCircle {
   /** The least word of a member. */
   static final int WORD_OF_AWAKE = WORD_OF_MEMBER + AWAKE;
 
+  static final int WORD_OF_FROZEN = WORD_OF_MEMBER + FROZEN;
+
   /**
    * How far the first search of a flight looks ahead where less is needed, in halves of a cell at
    * the Manhattan speed. Each further search may look twice as far.

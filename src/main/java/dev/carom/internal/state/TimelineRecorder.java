@@ -9,6 +9,9 @@ import java.util.stream.IntStream;
 /**
  * Records everything that determines the future of a world: the flights of circles, and each change
  * of circles and obstacles. So the state of any recorded moment can be built again.
+ *
+ * <p>But what {@link ContactRow contact} knows changes at each tick, and takes four times a flight.
+ * It is kept now and then: at a <i>stand</i>. A moment between is found by playing on from there.
  */
 public final class TimelineRecorder {
 
@@ -38,6 +41,9 @@ public final class TimelineRecorder {
 
   private static final int FIRST_ROOM = 16;
 
+  /** A stand comes after so many flights of each member: then it adds a fortieth to them. */
+  private static final int FLIGHTS = 128;
+
   private final double duration;
   private final boolean collide;
   private final CircleRegistry registry;
@@ -53,6 +59,18 @@ public final class TimelineRecorder {
   private FlightHistories tracks;
   private ObstacleHistory obstacleHistory;
   private Changes<Settings> settings;
+
+  /** The stands: whether nothing that contact knows changes from there until the next one. */
+  private Changes<Boolean> stands;
+
+  /** The flights of members since the last stand, and how many flights ask for the next one. */
+  private long flights;
+
+  private long mostFlights;
+
+  /** Whether the world was edited since the last step. */
+  private boolean isEdited;
+
   private double begin;
   private double end;
 
@@ -146,6 +164,9 @@ public final class TimelineRecorder {
     obstacleHistory = new ObstacleHistory(obstacles);
     settings = new Changes<>();
     settings.set(now, Settings.of(limits, obstacles, gravity), now);
+    stands = new Changes<>();
+    stands.set(now, true, now);
+    isEdited = true;
     tails.clear();
     begin = now;
     end = now;
@@ -157,6 +178,7 @@ public final class TimelineRecorder {
     WorldState last = present.get();
     present = () -> last;
     obstacles = obstacles.copy();
+    tracks.trim();
   }
 
   /** Adds a flight of the current step, which {@link #undo} may still drop. */
@@ -181,17 +203,83 @@ public final class TimelineRecorder {
     int partner = m.sensedPartner;
     IgnoreList jam = m.jam;
     registry.toIds(m);
-    track.add(m, time, usual, start());
+    track.add(m, time, usual, horizon());
     m.last = last;
     m.sensedPartner = partner;
     m.jam = jam;
+    if (m.isMember()) {
+      addMember(m, time);
+    }
   }
 
-  /** Adds a member of those in contact, if what contact knows of it has changed. */
-  public void addContact(MovingCircle m, double time) {
-    if (!tracks.get(registry.id(m.id)).knows(m.contactRow)) {
-      add(m, time);
+  private void addMember(MovingCircle m, double time) {
+    flights++;
+    if (stands.last()) {
+      stands.set(end, false, start());
+      mostFlights = FLIGHTS;
     }
+    if (time == stands.since() && m.contactRow != null) {
+      keepContact(m, time);
+    }
+  }
+
+  // Stands.
+
+  /** Notes that the world is edited. */
+  public void noteEdit() {
+    isEdited = true;
+  }
+
+  /** Forgets the edits since the last step; whether there were any. */
+  public boolean takeEdits() {
+    boolean any = isEdited;
+    isEdited = false;
+    return any;
+  }
+
+  /** Whether all members rested at the last stand, and do so since. */
+  public boolean isAtRest() {
+    return stands.last();
+  }
+
+  /** Whether so much happened since the last stand that the next one is due. */
+  public boolean isLong() {
+    return flights >= mostFlights;
+  }
+
+  /** Whether the latest stand is one of the present time, which a further event changes. */
+  public boolean isStand(double now) {
+    return stands.since() == now;
+  }
+
+  /** Keeps what contact knows of a member; {@link #stand} follows. */
+  public void keepContact(MovingCircle m, double now) {
+    tracks.get(registry.id(m.id)).keepContact(now, m.contactRow, horizon());
+  }
+
+  /**
+   * Completes a stand, for which all members were kept.
+   *
+   * @param flying how many of them fly, and do not rest
+   */
+  public void stand(double now, int flying) {
+    boolean rests = flying == 0;
+    if (!rests || !stands.last()) {
+      stands.set(now, rests, start());
+    }
+    flights = 0;
+    mostFlights = (long) FLIGHTS * flying;
+  }
+
+  /** The latest time up to t of which everything is recorded; the world was not edited since. */
+  public double lastStand(double t) {
+    return t == end || stands.at(t) ? t : stands.time(stands.find(t));
+  }
+
+  /** The time up to which everything that ended may be dropped. */
+  private double horizon() {
+    double start = start();
+    return stands.at(start) ? start : stands.time(stands.find(start));
   }
 
   /** Commits the flights of the current step, which ended at a given time. */
@@ -202,16 +290,16 @@ public final class TimelineRecorder {
     }
     pending.clear();
     if (!settings.last().areThoseOf(limits, obstacles, gravity)) { // edits have changed them
-      settings.set(end, Settings.of(limits, obstacles, gravity), start());
+      settings.set(end, Settings.of(limits, obstacles, gravity), horizon());
     }
     end = now;
-    tracks.forget(start());
-    obstacleHistory.forget(start());
+    tracks.forget(horizon());
+    obstacleHistory.forget(horizon());
   }
 
   /** Records that a line or a peg was added, changed or removed. */
   public void noteObstacle(int code, double now) {
-    obstacleHistory.note(code, obstacles, now, start());
+    obstacleHistory.note(code, obstacles, now, horizon());
   }
 
   /** Records that a circle was removed. */
@@ -226,7 +314,7 @@ public final class TimelineRecorder {
   /** Records the tail of an event, whose circle need not exist any more. */
   public void noteTail(double now, double tail) {
     if (tail > 0) {
-      tails.headMap(start()).clear();
+      tails.headMap(horizon()).clear();
       tails.merge(now, tail, Math::max);
     }
   }
@@ -241,7 +329,7 @@ public final class TimelineRecorder {
 
   // The past.
 
-  /** Everything that determined the future of the world at a time of the recording. */
+  /** Everything that determined the future of the world, at the {@link #lastStand} of a time. */
   public WorldState state(double t) {
     return t == end ? present.get() : past(t);
   }

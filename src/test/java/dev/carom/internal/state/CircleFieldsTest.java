@@ -221,9 +221,13 @@ class CircleFieldsTest {
   }
 
   private static FlightHistory history(MovingCircle m) {
-    CircleProperties properties = new CircleProperties(1, m.restitution, 0, m.filter, true);
+    CircleProperties properties =
+        new CircleProperties(m.radius, 1, m.restitution, 0, m.filter, true);
     FlightHistory history = new FlightHistory();
     history.add(m, m.t, properties, 0);
+    if (m.contactRow != null) {
+      history.keepContact(m.t, m.contactRow, 0);
+    }
     return history;
   }
 
@@ -235,11 +239,11 @@ class CircleFieldsTest {
     MovingCircle m = new MovingCircle();
     m.start(0, 5, 5, radius, 1, 2, 1);
     FlightHistory past = new FlightHistory();
-    past.add(m, 0, new CircleProperties(1, 1, 0, 0, true), 0);
-    past.add(m, 60, new CircleProperties(1, 1, 0, 0, false), 0);
-    assertThat(new double[] {past.x(50, walls), past.y(50, walls), past.rows.radius(0)})
+    past.add(m, 0, new CircleProperties(radius, 1, 1, 0, 0, true), 0);
+    past.add(m, 60, new CircleProperties(radius, 1, 1, 0, 0, false), 0);
+    assertThat(new double[] {past.x(50, walls), past.y(50, walls), past.radius(50)})
         .containsExactly(10 - radius, 10 - radius, radius);
-    assertThat(new double[] {past.x(60, walls), past.y(60, walls), past.rows.radius(1)})
+    assertThat(new double[] {past.x(60, walls), past.y(60, walls), past.radius(60)})
         .containsExactly(65, 125, radius);
   }
 
@@ -256,7 +260,7 @@ class CircleFieldsTest {
       history.y(50, null),
       history.rows.vx(k, 50),
       history.rows.vy(k, 50),
-      history.rows.radius(k)
+      history.radius(50)
     };
   }
 }

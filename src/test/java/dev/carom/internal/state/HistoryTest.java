@@ -8,7 +8,7 @@ import org.junit.jupiter.api.Test;
 /** What is kept of the past, and what is dropped. */
 class HistoryTest {
 
-  private static final CircleProperties PROPERTIES = new CircleProperties(1, 1, 0, 0, false);
+  private static final CircleProperties PROPERTIES = new CircleProperties(1, 1, 1, 0, 0, false);
 
   @Test
   void nothingHoldsBeforeTheFirstValue() {
