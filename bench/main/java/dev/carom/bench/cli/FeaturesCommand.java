@@ -4,7 +4,7 @@ package dev.carom.bench.cli;
 import dev.carom.bench.experiment.CannotPlaceException;
 import dev.carom.bench.report.FeatureFigures;
 import dev.carom.bench.report.Figure;
-import dev.carom.bench.report.HeapFigures;
+import dev.carom.bench.report.HeapsTable;
 import dev.carom.bench.results.Results;
 import dev.carom.bench.results.Row;
 import dev.carom.bench.series.Features;
@@ -81,7 +81,7 @@ final class FeaturesCommand extends SeriesCommand {
   @Override
   String text(Results results) {
     if (heaps != null) {
-      return new HeapFigures(results).table().text();
+      return HeapsTable.of(results).text();
     }
     FeatureFigures figures = new FeatureFigures(results);
     return figures.table().text() + "\n" + figures.uncertainty() + "\n";

@@ -96,7 +96,7 @@ final class StabilityCommand implements Callable<Integer> {
 
   private void print(Figure figure) {
     PrintWriter out = spec.commandLine().getOut();
-    out.printf("%s%n%s%s%n%n", figure.heading(), figure.table().text(), figure.caption());
+    out.printf("%s%n%s%s.%n%n", figure.heading(), figure.table().text(), figure.title());
     out.flush();
   }
 }

@@ -5,8 +5,8 @@ import dev.carom.bench.measures.RoundingPart;
 import dev.carom.bench.replay.Budget;
 import dev.carom.bench.results.Results;
 import dev.carom.bench.results.Row;
+import dev.carom.bench.results.Setting;
 import dev.carom.bench.results.Spread;
-import java.util.ArrayList;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
@@ -27,10 +27,16 @@ final class AcceptanceLimits {
    * @param measured what was found, empty if it was not measured
    * @param holds whether it does; false if it was not measured
    */
-  record Limit(String what, String where, String limit, String measured, boolean holds) {
+  private record Limit(String what, String where, String limit, String measured, boolean holds) {
 
     boolean known() {
       return !measured.isEmpty();
+    }
+
+    List<String> cells() {
+      return known()
+          ? List.of(what, where, limit, measured, holds ? "yes" : "no")
+          : List.of(what, where, limit, "not measured", "");
     }
 
     @Override
@@ -55,189 +61,197 @@ final class AcceptanceLimits {
   private static final List<String> GOT_OUT = List.of("tunnelled", "escaped", "outside_at_end");
 
   private final Results results;
-  private final List<Limit> limits = new ArrayList<>();
 
   private AcceptanceLimits(Results results) {
     this.results = results;
   }
 
-  static List<Limit> of(Results results) {
+  private static List<Limit> of(Results results) {
     AcceptanceLimits all = new AcceptanceLimits(results);
-    all.decisions();
-    SLOW.forEach(all::frameError);
-    all.roundings();
-    all.alone();
-    all.budget();
-    all.solid();
-    all.forks();
-    return List.copyOf(all.limits);
+    return Stream.of(
+            Stream.of(all.decisions()),
+            SLOW.stream().map(all::frameError),
+            all.roundings(),
+            all.timedScenes().map(all::alone),
+            slowestFrames(results).stream().map(AcceptanceLimits::budget),
+            results.scenes("escaped").stream().map(all::solid),
+            Stream.of(all.forks()))
+        .flatMap(limits -> limits)
+        .toList();
   }
 
   static ReportTable table(Results results) {
-    ReportTable.Builder table =
-        new ReportTable.Builder("what", "where", "limit", "measured", "holds");
-    for (Limit limit : of(results)) {
-      table.row(
-          limit.what,
-          limit.where,
-          limit.limit,
-          limit.known() ? limit.measured : "not measured",
-          limit.known() ? (limit.holds ? "yes" : "no") : "");
-    }
-    return table.build();
+    return new ReportTable(
+        List.of("what", "where", "limit", "measured", "holds"),
+        of(results).stream().map(Limit::cells).toList());
   }
 
   /** One sentence: how many hold, and each that does not. */
   static String sentence(Results results) {
     List<Limit> known = of(results).stream().filter(Limit::known).toList();
-    if (known.isEmpty()) {
-      return "Limits: not measured.";
-    }
     List<Limit> missed = known.stream().filter(limit -> !limit.holds).toList();
-    String all =
-        "Limits: %d of the %d that were measured hold"
-            .formatted(known.size() - missed.size(), known.size());
-    return missed.isEmpty()
-        ? all + "."
-        : all
-            + "; missed: "
-            + missed.stream().map(Limit::toString).collect(Collectors.joining("; "))
-            + ".";
+    return known.isEmpty()
+        ? "Limits: not measured."
+        : "Limits: %d of the %d that were measured hold%s."
+            .formatted(
+                known.size() - missed.size(),
+                known.size(),
+                missed.isEmpty()
+                    ? ""
+                    : missed.stream()
+                        .map(Limit::toString)
+                        .collect(Collectors.joining("; ", "; missed: ", "")));
   }
 
-  private void decisions() {
-    double wrong = sum(Metrics.MISSED) + sum(Metrics.INVENTED);
-    double asked = sum(Metrics.DECISIONS);
-    String measured = asked > 0 ? ReportNumbers.failures(wrong, asked) : "";
-    limits.add(new Limit("wrong answers", "all questions", "0", measured, wrong == 0));
+  private Limit decisions() {
+    Answers ours = Answers.ours(results);
+    String measured = ours.asked() ? ours.text() : "";
+    return new Limit("wrong answers", "all questions", "0", measured, ours.wrong() == 0);
   }
 
-  private double sum(String metric) {
-    return results.scenes(metric).stream()
-        .flatMap(scene -> results.only(scene, Metrics.CAROM, metric).stream())
-        .mapToDouble(Spread::middle)
-        .sum();
-  }
-
-  private void frameError(String scene) {
-    atMost(
-        "worst error of one frame, in radii",
-        scene,
+  private Limit frameError(String scene) {
+    return atMost(
         FRAME_ERROR,
-        ReportNumbers::error,
-        results.spread(scene, Metrics.CAROM, Metrics.FRAME_ERROR, "max"));
+        "worst error of one frame, in radii",
+        new Standing(results, scene, Metrics.CAROM).spread(Metrics.FRAME_ERROR, "max"),
+        scene,
+        ReportNumbers::error);
   }
 
-  private void roundings() {
-    Optional<Spread> worst = results.spread(FAST, Metrics.CAROM, RoundingPart.METRIC, "max");
-    String above = new RoundingNote(results, FAST).above().map(t -> ", " + t).orElse("");
-    atMost(
-        "worst error of one circle in one frame, in 2^-53 x its conditioning",
-        FAST,
-        RoundingPart.LIMIT,
-        units -> ReportNumbers.ratio(units) + (units > RoundingPart.LIMIT ? above : ""),
-        worst);
-    atMost(
-        "worst error of one frame, in 2^-53 x the greatest conditioning in it",
-        FAST,
-        RoundingPart.LIMIT,
-        ReportNumbers::ratio,
-        results.spread(FAST, Metrics.CAROM, RoundingPart.METRIC, RoundingPart.OF_FRAMES));
+  private Stream<Limit> roundings() {
+    String above = rounding(RoundingPart.ABOVE).map(a -> ", " + above(a)).orElse("");
+    return Stream.of(
+        atMost(
+            RoundingPart.LIMIT,
+            "worst error of one circle in one frame, in 2^-53 x its conditioning",
+            rounding("max"),
+            FAST,
+            units -> ReportNumbers.ratio(units) + (units > RoundingPart.LIMIT ? above : "")),
+        atMost(
+            RoundingPart.LIMIT,
+            "worst error of one frame, in 2^-53 x the greatest conditioning in it",
+            rounding(RoundingPart.OF_FRAMES),
+            FAST,
+            ReportNumbers::ratio));
   }
 
-  /** Explains a limit that needs words. */
+  private Optional<Spread> rounding(String stat) {
+    return results.spread(FAST, Metrics.CAROM, RoundingPart.METRIC, stat);
+  }
+
+  private static String above(Spread above) {
+    return "%s of %s circle-frames above"
+        .formatted(ReportNumbers.count(above.middle()), ReportNumbers.count((double) above.n()));
+  }
+
+  /** Explains the limit of a frame with many impacts; nothing if it was not measured. */
   static Optional<String> note(Results results) {
-    return new RoundingNote(results, FAST).sentences();
+    AcceptanceLimits all = new AcceptanceLimits(results);
+    return all.rounding(RoundingPart.ABOVE)
+        .map(
+            above ->
+                "Errors of single frames of %s: %s %s x 2^-53 times their conditioning; the worst, of %s, has %s impacts. A place is a double by contract, the start of each flight: exact arithmetic that rounds nothing but the places of these impacts errs there by %s."
+                    .formatted(
+                        FAST,
+                        above(above),
+                        ReportNumbers.ratio(RoundingPart.LIMIT),
+                        all.told("max"),
+                        all.told(RoundingPart.IMPACTS),
+                        all.told(RoundingPart.ROUNDED)));
   }
 
-  private void atMost(
-      String what,
-      String where,
+  private String told(String stat) {
+    return ReportNumbers.ratio(rounding(stat).map(Spread::middle).orElse(Double.NaN));
+  }
+
+  private static Limit atMost(
       double limit,
-      DoubleFunction<String> text,
-      Optional<Spread> found) {
+      String what,
+      Optional<Spread> found,
+      String where,
+      DoubleFunction<String> text) {
     String measured = found.map(spread -> text.apply(spread.middle())).orElse("");
-    boolean holds = found.isPresent() && found.get().middle() <= limit;
-    limits.add(new Limit(what, where, text.apply(limit), measured, holds));
+    boolean holds = found.filter(spread -> spread.middle() <= limit).isPresent();
+    return new Limit(what, where, text.apply(limit), measured, holds);
   }
 
   /** A scene without times is none to be fast in. */
-  private void alone() {
-    List<String> scenes =
-        Stream.concat(ALONE.stream(), results.scenes(Metrics.FRAME_TIME).stream())
-            .distinct()
-            .filter(s -> ALONE.contains(s) || results.scenes(Metrics.FRAME_ERROR).contains(s))
+  private Stream<String> timedScenes() {
+    return Stream.concat(
+            ALONE.stream(),
+            results.scenes(Metrics.FRAME_TIME).stream()
+                .filter(results.scenes(Metrics.FRAME_ERROR)::contains))
+        .distinct();
+  }
+
+  private Limit alone(String scene) {
+    Standing ours = new Standing(results, scene, Metrics.CAROM);
+    List<String> better =
+        Standing.all(results, scene).stream()
+            .filter(s -> s.beats(ours))
+            .map(s -> Glossary.fullName(s.setting()))
             .toList();
-    for (String scene : scenes) {
-      List<Standing> all = Standing.all(results, scene);
-      Optional<Standing> ours = Standing.ours(all).filter(s -> s.time().forks() > 0);
-      List<String> better =
-          all.stream()
-              .filter(s -> ours.isPresent() && s.beats(ours.get()))
-              .map(s -> Metrics.fullName(s.setting()))
-              .toList();
-      String measured = better.isEmpty() ? "none" : String.join(", ", better);
-      limits.add(
-          new Limit(
-              "both faster and more accurate than Carom",
-              scene,
-              "none",
-              ours.isPresent() ? measured : "",
-              ours.isPresent() && better.isEmpty() && !ours.get().failed()));
-    }
+    String measured = better.isEmpty() ? "none" : String.join(", ", better);
+    return new Limit(
+        "both faster and more accurate than Carom",
+        scene,
+        "none",
+        ours.time().forks() > 0 ? measured : "",
+        better.isEmpty() && !ours.failed());
   }
 
-  private void budget() {
-    for (String scene : results.scenes(Metrics.FRAME_TIME)) {
-      if (results.spread(scene, Metrics.CAROM, Metrics.FRAME_TIME, "worst").isEmpty()) {
-        continue; // only its usual frames were measured
-      }
-      double worst = results.value(scene, Metrics.CAROM, Metrics.FRAME_TIME, "worst");
-      limits.add(
-          new Limit(
-              "slowest frame",
-              scene,
-              ReportNumbers.time(BUDGET),
-              ReportNumbers.time(worst),
-              worst <= BUDGET));
-    }
+  /** Carom in the scenes where not only its usual frames were measured. */
+  static List<Standing> slowestFrames(Results results) {
+    return results.scenes(Metrics.FRAME_TIME).stream()
+        .map(scene -> new Standing(results, scene, Metrics.CAROM))
+        .filter(s -> s.spread(Metrics.FRAME_TIME, "worst").isPresent())
+        .toList();
   }
 
-  private void solid() {
-    for (String scene : results.scenes("escaped")) {
-      double most =
-          GOT_OUT.stream()
-              .flatMap(metric -> results.only(scene, Metrics.CAROM, metric).stream())
-              .mapToDouble(Spread::middle)
-              .reduce(0, Math::max); // NaN if one of them is
-      limits.add(
-          new Limit(
-              "circles through a line or out of bounds",
-              scene,
-              "0",
-              ReportNumbers.count(most),
-              most == 0));
-    }
+  private static Limit budget(Standing s) {
+    return atMost(
+        BUDGET,
+        "slowest frame",
+        s.spread(Metrics.FRAME_TIME, "worst"),
+        s.scene(),
+        ReportNumbers::time);
+  }
+
+  private Limit solid(String scene) {
+    double most =
+        GOT_OUT.stream()
+            .flatMap(metric -> results.only(scene, Metrics.CAROM, metric).stream())
+            .mapToDouble(Spread::middle)
+            .reduce(0, Math::max); // NaN if one of them is
+    return new Limit(
+        "circles through a line or out of bounds",
+        scene,
+        "0",
+        ReportNumbers.count(most),
+        most == 0);
   }
 
   /** The number of forks, of the time that has the fewest. */
-  private void forks() {
+  private Limit forks() {
     ScaleTimes scale = new ScaleTimes(results);
-    Map<String, Set<Integer>> forks =
+    Map<Standing, Set<Integer>> forks =
         results.rows().stream()
             .filter(row -> row.unit().equals("ns") && !row.metric().equals(Metrics.FRAME_RAW))
-            .filter(row -> !scale.isBeyond(row))
             .collect(
                 Collectors.groupingBy(
-                    row -> row.scene() + " " + row.method() + " " + row.knob(),
+                    row ->
+                        new Standing(results, row.scene(), new Setting(row.method(), row.knob())),
                     Collectors.mapping(Row::fork, Collectors.toSet())));
-    int least = forks.values().stream().mapToInt(Set::size).min().orElse(0);
-    limits.add(
-        new Limit(
-            "forks of each time, least",
-            "all times",
-            "at least " + FORKS,
-            forks.isEmpty() ? "" : Integer.toString(least),
-            least >= FORKS));
+    Optional<Integer> least =
+        forks.entrySet().stream()
+            .filter(entry -> !scale.isBeyond(entry.getKey()))
+            .map(entry -> entry.getValue().size())
+            .min(Integer::compare);
+    return new Limit(
+        "forks of each time, least",
+        "all times",
+        "at least " + FORKS,
+        least.map(String::valueOf).orElse(""),
+        least.filter(n -> n >= FORKS).isPresent());
   }
 }

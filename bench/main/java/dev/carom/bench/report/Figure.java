@@ -1,30 +1,33 @@
 // SPDX-License-Identifier: Apache-2.0
 package dev.carom.bench.report;
 
+import dev.carom.bench.charts.BarChart;
+import dev.carom.bench.charts.BarChart.Bar;
+import dev.carom.bench.charts.Marks;
 import dev.carom.bench.charts.Panel;
 import dev.carom.bench.charts.Picture;
 import dev.carom.bench.charts.Sheet;
+import java.util.Collection;
 import java.util.List;
+import java.util.function.DoubleFunction;
+import java.util.function.Function;
+import java.util.function.ToDoubleFunction;
 
 /**
- * A figure of the report.
+ * A figure of the report: pictures with the numbers behind them, or a table alone.
  *
  * @param id the name of its files, and its place in the page
  * @param heading what it is about
  * @param title what the reader is to take home, without a full stop
  * @param note how to read it
- * @param caption what it shows, in words: all that a reader who cannot see it needs
  * @param panels its pictures, of one width
- * @param table the numbers behind it
+ * @param table the numbers, if they say more than the pictures
  */
 public record Figure(
-    String id,
-    String heading,
-    String title,
-    String note,
-    String caption,
-    List<Panel> panels,
-    ReportTable table) {
+    String id, String heading, String title, String note, List<Panel> panels, ReportTable table) {
+
+  /** What stands behind a factor. */
+  static final String TIMES = " x";
 
   /** Keeps a copy. */
   public Figure {
@@ -34,5 +37,24 @@ public record Figure(
   /** All of it but the table, on one sheet. */
   public Picture picture() {
     return Sheet.of(title, note, panels);
+  }
+
+  /** A bar for each standing. */
+  static Picture bars(
+      String title,
+      Collection<Standing> standings,
+      Function<Standing, String> name,
+      Marks marks,
+      ToDoubleFunction<Standing> value,
+      DoubleFunction<String> text) {
+    List<Bar> bars =
+        standings.stream()
+            .map(
+                s -> {
+                  double v = value.applyAsDouble(s);
+                  return new Bar(name.apply(s), marks.color(s.method()), v, text.apply(v));
+                })
+            .toList();
+    return new BarChart(title, bars).picture();
   }
 }

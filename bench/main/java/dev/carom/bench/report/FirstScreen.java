@@ -7,6 +7,9 @@ import java.util.Comparator;
 import java.util.List;
 import java.util.Optional;
 import java.util.function.Function;
+import java.util.function.Predicate;
+import java.util.stream.Collectors;
+import java.util.stream.Stream;
 
 /** One sentence and three numbers for the first ten seconds, by rule from the data. */
 final class FirstScreen {
@@ -19,11 +22,11 @@ final class FirstScreen {
    */
   record Tile(String name, String value, String what, String rival) {}
 
+  static final String PUBLISHED = "poster";
+  private static final String ENGINE = "gdx-box2d";
+
   /** Errors up to so many times ours count as accurate as ours. */
   private static final double AS_ACCURATE = 10;
-
-  private static final String ENGINE = "gdx-box2d";
-  private static final String PUBLISHED = "poster";
 
   private final Results results;
   private final String scene;
@@ -44,63 +47,53 @@ final class FirstScreen {
 
   /** One sentence. */
   String sentence() {
-    if (ours.isEmpty()) {
-      return "Not measured.";
-    }
-    Standing carom = ours.get();
-    List<Standing> faster = all.stream().filter(s -> s.isFasterThan(carom)).toList();
-    List<Standing> level =
-        all.stream().filter(s -> !s.equals(carom) && s.isLevelWith(carom)).toList();
-    String rank;
-    if (!faster.isEmpty()) {
-      rank = ", and not the fastest (" + names(faster) + ")";
-    } else {
-      rank = level.isEmpty() ? ", and the fastest measured" : ", and as fast as " + names(level);
-    }
-    List<String> rest = new ArrayList<>();
-    nearest(carom).ifPresent(rest::add);
-    engine(carom).ifPresent(rest::add);
-    return "%s%s: the median frame%s takes %s%s."
+    return ours.map(this::sentence).orElse("Not measured.");
+  }
+
+  private String sentence(Standing carom) {
+    String parts =
+        Stream.of(nearest(carom), engine(carom))
+            .flatMap(Optional::stream)
+            .map(part -> "; " + part)
+            .collect(Collectors.joining());
+    return "%s, %s: the median frame%s takes %s%s."
         .formatted(
-            exactness(),
-            rank,
-            Scenes.size(scene),
-            ReportNumbers.time(carom.time().middle()),
-            rest.isEmpty() ? "" : "; " + String.join("; ", rest));
+            exactness(), rank(carom), Scenes.size(scene), ReportNumbers.time(time(carom)), parts);
   }
 
   private String exactness() {
-    double wrong = sum(Metrics.MISSED) + sum(Metrics.INVENTED);
-    double asked = sum(Metrics.DECISIONS);
-    if (asked == 0) {
+    Answers answers = Answers.ours(results);
+    if (!answers.asked()) {
       return "Measured";
     }
-    return wrong == 0 ? "Exact" : "Wrong in " + ReportNumbers.failures(wrong, asked) + " answers";
+    return answers.wrong() == 0 ? "Exact" : "Wrong in " + answers.text() + " answers";
   }
 
-  private double sum(String metric) {
-    return results.scenes(metric).stream()
-        .flatMap(s -> results.only(s, Metrics.CAROM, metric).stream())
-        .mapToDouble(spread -> spread.middle())
-        .sum();
+  private String rank(Standing carom) {
+    String faster = names(s -> s.isFasterThan(carom));
+    String level = names(s -> !s.isOurs() && s.isLevelWith(carom));
+    if (!faster.isEmpty()) {
+      return "and not the fastest (" + faster + ")";
+    }
+    return level.isEmpty() ? "and the fastest measured" : "and as fast as " + level;
   }
 
-  private static String names(List<Standing> found) {
-    return String.join(", ", found.stream().map(s -> Metrics.shortName(s.setting())).toList());
+  private String names(Predicate<Standing> who) {
+    return all.stream().filter(who).map(Standing::name).collect(Collectors.joining(", "));
   }
 
   /** The fastest of all others that err at most ten times as much. */
   private Optional<String> nearest(Standing carom) {
     return all.stream()
-        .filter(s -> !s.equals(carom) && !s.failed())
+        .filter(s -> !s.isOurs() && !s.failed())
         .filter(s -> s.error() <= AS_ACCURATE * carom.error())
-        .min(Comparator.comparingDouble(s -> s.time().middle()))
+        .min(Comparator.comparingDouble(FirstScreen::time))
         .map(
             s ->
                 "the nearest that is as accurate (%s%s) takes %s times as long"
                     .formatted(
-                        Metrics.shortName(s.setting()),
-                        Glossary.isControl(s.setting().method()) ? ", written for comparison" : "",
+                        s.name(),
+                        Glossary.isControl(s.method()) ? ", written for comparison" : "",
                         times(s, carom)));
   }
 
@@ -108,23 +101,24 @@ final class FirstScreen {
     return best(ENGINE)
         .map(
             s ->
-                "%s takes %s times as long and errs by up to %s radii"
+                "%s takes %s times as long and errs by up to %s"
                     .formatted(
-                        Glossary.name(ENGINE), times(s, carom), ReportNumbers.error(s.error())));
+                        Glossary.name(ENGINE), times(s, carom), ReportNumbers.radii(s.error())));
+  }
+
+  private static double time(Standing s) {
+    return s.time().middle();
+  }
+
+  private static String times(Standing other, Standing carom) {
+    return ReportNumbers.times(time(other) / time(carom));
   }
 
   /** The setting of a method that errs least. */
   private Optional<Standing> best(String method) {
     return all.stream()
-        .filter(s -> s.setting().method().equals(method) && !s.failed())
+        .filter(s -> s.method().equals(method) && !s.failed())
         .min(Comparator.comparingDouble(Standing::error));
-  }
-
-  private static String times(Standing other, Standing carom) {
-    double ratio = other.time().middle() / carom.time().middle();
-    return ratio < 9.95
-        ? ReportNumbers.ratio(Math.round(10 * ratio) / 10.0)
-        : ReportNumbers.count(ratio);
   }
 
   /** Speed, accuracy and stability. */
@@ -132,32 +126,24 @@ final class FirstScreen {
     List<Tile> tiles = new ArrayList<>();
     ours.ifPresent(
         carom -> {
+          tiles.add(tile("Speed", carom, "a frame, median", s -> ReportNumbers.time(time(s))));
           tiles.add(
-              new Tile(
-                  "Speed",
-                  ReportNumbers.time(carom.time().middle()),
-                  "a frame, median",
-                  rivals(s -> ReportNumbers.time(s.time().middle()))));
-          tiles.add(
-              new Tile(
+              tile(
                   "Accuracy",
-                  radii(carom),
+                  carom,
                   "the worst error of one frame",
-                  rivals(FirstScreen::radii)));
+                  s -> ReportNumbers.radii(s.error())));
         });
     new StabilityMatrix(results).tile().ifPresent(tiles::add);
     return tiles;
   }
 
-  private static String radii(Standing s) {
-    return ReportNumbers.error(s.error()) + " radii";
-  }
-
-  private String rivals(Function<Standing, String> number) {
-    List<String> texts = new ArrayList<>();
-    for (String method : List.of(ENGINE, PUBLISHED)) {
-      best(method).ifPresent(s -> texts.add(Glossary.name(method) + ": " + number.apply(s)));
-    }
-    return String.join("; ", texts);
+  private Tile tile(String name, Standing carom, String what, Function<Standing, String> number) {
+    String rivals =
+        Stream.of(ENGINE, PUBLISHED)
+            .flatMap(method -> best(method).stream())
+            .map(s -> Glossary.name(s.method()) + ": " + number.apply(s))
+            .collect(Collectors.joining("; "));
+    return new Tile(name, number.apply(carom), what, rivals);
   }
 }

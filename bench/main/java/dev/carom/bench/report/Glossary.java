@@ -1,77 +1,67 @@
 // SPDX-License-Identifier: Apache-2.0
 package dev.carom.bench.report;
 
-import java.util.Collections;
-import java.util.LinkedHashMap;
+import dev.carom.bench.results.Setting;
+import java.util.List;
 import java.util.Map;
+import java.util.Set;
 
-/** The methods, in a sentence each. */
+/** What methods and their settings are called where people read. */
 final class Glossary {
 
-  private static final Map<String, String> METHODS = new LinkedHashMap<>();
+  /** By method: its name, short enough to stand at a dot, and a sentence. */
+  private static final Map<String, List<String>> METHODS = Texts.table("methods.txt");
 
-  /** Short enough to stand at a dot. */
-  private static final Map<String, String> NAMES = new LinkedHashMap<>();
+  /** The knob of a peer, which is left as it comes or set as well as its documentation allows. */
+  private static final String PEER = "setting=";
 
-  static {
-    add("carom", "Carom", "this library");
-    add(
-        "poster",
-        "published 2010",
-        "the published algorithm of 2010, in float: every circle asks every line, one impact a"
-            + " frame");
-    add("poster-double", "published double", "the same algorithm in doubles");
-    add(
-        "textbook-float",
-        "textbook float",
-        "all impacts of a frame, each by the quadratic equation of the textbooks, in float");
-    add("textbook-double", "textbook double", "the same in doubles; every circle asks every line");
-    add(
-        "textbook-grid",
-        "textbook + grid",
-        "the same in doubles, asking only lines of the cells on the way, as Carom does: a control"
-            + " for what the grid gives");
-    add(
-        "plain-grid",
-        "plain + grid",
-        "a simple program in plain doubles with a grid like Carom's and a filter, without its"
-            + " guarantees: a control for what exactness costs");
-    add("plain", "plain doubles", "Carom's own test of one line, in plain doubles");
-    add(
-        "advancement",
-        "advancement",
-        "all impacts by conservative advancement; its knob is the tolerance of distance");
-    add("closest-point", "sampled", "distances at samples of the motion; its knob is how many");
-    add("overlap", "overlap test", "an overlap test at the end of the frame, and pushing out");
-    add("substeps", "substeps", "overlap tests within the frame; its knob is how many");
-    add("dyn4j", "dyn4j", "dyn4j 6.0.0, a physics engine in Java");
-    add("jbox2d", "JBox2D", "JBox2D 2.2.1.1, Box2D 2 translated to Java");
-    add("gdx-box2d", "Box2D", "Box2D 2, in C++, as libGDX 1.14.2 ships it");
-    add(
-        Metrics.NEIGHBOUR,
-        "1 ulp away",
-        "the true course from a start that differs by one unit in the last place");
+  private Glossary() {}
+
+  /** The methods, in an order in which they explain each other. */
+  static Set<String> methods() {
+    return METHODS.keySet();
   }
 
-  private static void add(String method, String name, String what) {
-    METHODS.put(method, what);
-    NAMES.put(method, name);
-  }
-
-  /** How a method is called where people read; one that is not known keeps its label. */
+  /** How a method is called; one that is not known keeps its label. */
   static String name(String method) {
-    return NAMES.getOrDefault(method, method);
+    return METHODS.getOrDefault(method, List.of(method)).get(0);
+  }
+
+  /** What a method is; empty for one that is not known. */
+  static String what(String method) {
+    return METHODS.getOrDefault(method, List.of(method, "")).get(1);
   }
 
   /** Whether a method was only written to tell what a part of carom gives. */
   static boolean isControl(String method) {
-    return METHODS.getOrDefault(method, "").contains("a control for");
+    return what(method).contains("a control for");
   }
 
-  private Glossary() {}
+  /** A method in words and its whole setting. */
+  static String fullName(Setting setting) {
+    return new Setting(name(setting.method()), setting.knob()).toString();
+  }
 
-  /** By method, in an order in which they explain each other. */
-  static Map<String, String> methods() {
-    return Collections.unmodifiableMap(METHODS);
+  /** A method in words and what stands at its dot. */
+  static String shortName(Setting setting) {
+    return (name(setting.method()) + " " + shortKnob(setting)).strip();
+  }
+
+  /** The label of a dot: the value of the knob, or a short name for the long setting of a peer. */
+  static String shortKnob(Setting setting) {
+    if (isDefault(setting)) {
+      return "defaults";
+    }
+    return isEngine(setting) ? "tuned" : setting.value();
+  }
+
+  /** Whether it is a physics engine, which is compared as it comes and tuned. */
+  static boolean isEngine(Setting setting) {
+    return setting.knob().startsWith(PEER);
+  }
+
+  /** Whether a peer is left as it comes. */
+  static boolean isDefault(Setting setting) {
+    return setting.value().startsWith("default");
   }
 }

@@ -35,47 +35,18 @@ final class Metrics {
   static final String QUERY_TIME = "query_time";
   static final String PAIR_TESTS = "pair_tests";
   static final String TRAJECTORY_DRIFT = "drift_trajectory";
-  static final String ENERGY_DRIFT = "drift_energy";
-  static final String PENETRATION_DRIFT = "drift_penetration";
 
   private static final String QUERY = "query:";
-  private static final String DEFAULTS = "default";
-
-  /** The knob of a peer, which is left as it comes or set as well as its documentation allows. */
-  private static final String PEER = "setting=";
 
   private Metrics() {}
 
   /** The class of a scene that stands for queries. */
   static String queryClass(String scene) {
-    return (scene.startsWith(QUERY) ? scene.substring(QUERY.length()) : scene).replace('_', ' ');
+    return scene.replace(QUERY, "").replace('_', ' ');
   }
 
-  /** The label of a dot: the value of the knob, or a short name for the long setting of a peer. */
-  static String shortKnob(Setting setting) {
-    if (isDefault(setting)) {
-      return "defaults";
-    }
-    return setting.knob().startsWith(PEER) ? "tuned" : setting.value();
-  }
-
-  /** A method in words and its whole setting. */
-  static String fullName(Setting setting) {
-    return new Setting(Glossary.name(setting.method()), setting.knob()).toString();
-  }
-
-  /** A method in words and what stands at its dot. */
-  static String shortName(Setting setting) {
-    return (Glossary.name(setting.method()) + " " + shortKnob(setting)).strip();
-  }
-
-  /** Whether it is a physics engine, which is compared as it comes and tuned. */
-  static boolean isEngine(Setting setting) {
-    return setting.knob().startsWith(PEER);
-  }
-
-  /** Whether a peer is left as it comes. */
-  static boolean isDefault(Setting setting) {
-    return setting.value().startsWith(DEFAULTS);
+  /** Whether a scene stands for a class of queries. */
+  static boolean isQuery(String scene) {
+    return scene.startsWith(QUERY);
   }
 }

@@ -11,7 +11,9 @@ import java.security.NoSuchAlgorithmException;
 import java.util.HexFormat;
 import java.util.List;
 import java.util.Map;
+import java.util.Optional;
 import java.util.TreeMap;
+import java.util.stream.Stream;
 
 /** Finds out where results will come from. */
 public final class Origin {
@@ -72,18 +74,39 @@ public final class Origin {
    * changed.
    */
   private static String commit() {
+    return git("describe", "--always", "--dirty", "--abbrev=40", "--exclude=*").orElse(UNKNOWN);
+  }
+
+  /** How old a measured commit is: words to stand behind it; none if that is not known here. */
+  static String age(String commit) {
+    String bare = commit.replace("-dirty", "");
+    return bare.matches("[0-9a-f]{7,40}")
+        ? git("rev-list", "--count", bare + "..HEAD").map(Origin::words).orElse("")
+        : "";
+  }
+
+  private static String words(String commits) {
+    return switch (commits) {
+      case "0" -> ", the newest one when this page was made";
+      case "1" -> ", 1 commit old when this page was made";
+      default -> ", " + commits + " commits old when this page was made";
+    };
+  }
+
+  /** What git says, or nothing if it cannot say. */
+  private static Optional<String> git(String... arguments) {
     try {
       Process git =
-          new ProcessBuilder("git", "describe", "--always", "--dirty", "--abbrev=40", "--exclude=*")
+          new ProcessBuilder(Stream.concat(Stream.of("git"), Stream.of(arguments)).toList())
               .redirectError(ProcessBuilder.Redirect.DISCARD)
               .start();
-      String name = new String(git.getInputStream().readAllBytes(), StandardCharsets.UTF_8).strip();
-      return git.waitFor() == 0 && !name.isEmpty() ? name : UNKNOWN;
+      String said = new String(git.getInputStream().readAllBytes(), StandardCharsets.UTF_8).strip();
+      return git.waitFor() == 0 && !said.isEmpty() ? Optional.of(said) : Optional.empty();
     } catch (IOException e) {
-      return UNKNOWN;
+      return Optional.empty();
     } catch (InterruptedException e) {
       Thread.currentThread().interrupt();
-      return UNKNOWN;
+      return Optional.empty();
     }
   }
 }

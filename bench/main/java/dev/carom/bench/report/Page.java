@@ -2,561 +2,264 @@
 package dev.carom.bench.report;
 
 import dev.carom.bench.charts.Panel;
-import dev.carom.bench.charts.Picture;
-import dev.carom.bench.charts.Style;
 import dev.carom.bench.charts.Thumbnail;
 import dev.carom.bench.measures.Parts;
 import dev.carom.bench.results.Metadata;
 import dev.carom.bench.results.Results;
 import dev.carom.bench.results.Setting;
-import dev.carom.bench.results.Spread;
 import dev.carom.bench.stability.FailureMap;
-import java.awt.Color;
-import java.io.IOException;
-import java.io.InputStream;
-import java.nio.charset.StandardCharsets;
-import java.util.ArrayList;
-import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
-import java.util.function.UnaryOperator;
+import java.util.TreeMap;
 import java.util.regex.Matcher;
 import java.util.regex.Pattern;
+import java.util.stream.Collectors;
+import java.util.stream.Stream;
 
 /**
- * The report as one page: a sentence, three numbers and a chart; then how to read it, and all
- * figures, each with its caption as alternative text and a table behind it. It needs no network,
+ * The report as one page: a template whose slots are filled from the results. It needs no network,
  * and its colours follow the reader's choice of light or dark.
  */
 final class Page {
 
-  private static final Map<Color, String> NAMES = new LinkedHashMap<>();
+  /** A word, and for figures their ids, or how these begin. */
+  private static final Pattern SLOT = Pattern.compile("\\{\\{([a-z-]+) ?([a-z -]*)}}");
 
-  static {
-    NAMES.put(Style.PAPER, "paper");
-    NAMES.put(Style.FLOOR, "floor");
-    NAMES.put(Style.INK, "ink");
-    NAMES.put(Style.QUIET, "quiet");
-    NAMES.put(Style.GRID, "grid");
-    NAMES.put(Style.BLUE, "blue");
-    NAMES.put(Style.SKY, "sky");
-    NAMES.put(Style.GREEN, "green");
-    NAMES.put(Style.ORANGE, "orange");
-    NAMES.put(Style.VERMILION, "vermilion");
-    NAMES.put(Style.PURPLE, "purple");
-    NAMES.put(Style.YELLOW, "yellow");
-  }
-
-  private static final Pattern STYLE = Pattern.compile("style='([^']*)'");
-
-  private static final String COMMAND = "java -jar bench/target/carom-bench.jar report";
-
-  /** The groups of the page, by the ids of their places. */
-  private static final Map<String, String> GROUPS = new LinkedHashMap<>();
-
-  static {
-    GROUPS.put("read", "How to read this");
-    GROUPS.put("accuracy", "Speed and accuracy");
-    GROUPS.put("price", "The price of exactness");
-    GROUPS.put("needs", "No more than a scene needs");
-    GROUPS.put("stability", "Stability");
-    GROUPS.put("many", "Many circles, and colliding ones");
-    GROUPS.put("doubts", "Doubts, limits, origin");
-  }
-
-  private final Map<String, Integer> styles = new LinkedHashMap<>();
-  private final StringBuilder html = new StringBuilder();
+  private final InlineSvg pictures = new InlineSvg();
   private final Results results;
-  private final Map<String, Figure> figures = new LinkedHashMap<>();
-  private int pictures;
+  private final List<Figure> figures;
 
   private Page(Results results, List<Figure> figures) {
     this.results = results;
-    figures.forEach(figure -> this.figures.put(figure.id(), figure));
+    this.figures = figures;
   }
 
-  static String of(Results results, List<Figure> figures) throws IOException {
+  static String of(Results results, List<Figure> figures) {
     Page page = new Page(results, figures);
-    page.head();
-    page.firstScreen();
-    page.read();
-    page.accuracy();
-    page.price();
-    page.needs();
-    page.stability();
-    page.many();
-    page.doubts();
-    page.styles();
-    page.html.append("</main>\n</body>\n</html>\n");
-    return page.html.toString();
+    return SLOT.matcher(Texts.read("page.html"))
+        .replaceAll(slot -> Matcher.quoteReplacement(page.filled(slot.group(1), slot.group(2))));
   }
 
-  private void head() throws IOException {
-    html.append("<!DOCTYPE html>\n<html lang=\"en\">\n<head>\n<meta charset=\"utf-8\">\n")
-        .append("<meta name=\"viewport\" content=\"width=device-width, initial-scale=1\">\n")
-        .append("<title>Carom: speed and accuracy</title>\n<style>\n")
-        .append(style())
-        .append("</style>\n</head>\n<body>\n")
-        .append("<a class=\"skip\" href=\"#read\">Skip to how to read this</a>\n<main>\n");
+  private String filled(String slot, String ids) {
+    return switch (slot) {
+      case "css" -> Texts.read("report.css");
+      case "sentence" -> text(new FirstScreen(results).sentence());
+      case "tiles" -> joined(new FirstScreen(results).tiles().stream().map(Page::tile));
+      case "figures" -> joined(Stream.of(ids.split(" ")).flatMap(this::named).map(this::figure));
+      case "scenes" -> scenes();
+      case "methods" -> methods();
+      case "run" -> run();
+      case "quick" -> results.metadata().quick() ? " --quick" : "";
+      case "shortcomings" -> items(Shortcomings.of(results));
+      case "limits" -> text(AcceptanceLimits.sentence(results));
+      case "verdict" -> items(Verdict.of(results));
+      case "all-limits" -> limits();
+      case "origin" -> origin();
+      case "styles" -> pictures.styles();
+      default -> throw new IllegalStateException("the page has a slot " + slot);
+    };
   }
 
-  private static String style() throws IOException {
-    try (InputStream css = Page.class.getResourceAsStream("report.css")) {
-      return new String(css.readAllBytes(), StandardCharsets.UTF_8);
+  private static String joined(Stream<String> parts) {
+    return parts.collect(Collectors.joining("\n"));
+  }
+
+  private static String items(List<String> sentences) {
+    return joined(sentences.stream().map(told -> "<li>" + text(told) + "</li>"));
+  }
+
+  private static String tile(FirstScreen.Tile tile) {
+    return "<div class=\"tile\"><b>%s</b><span class=\"value\">%s</span><span>%s</span><span class=\"quiet\">%s</span></div>"
+        .formatted(text(tile.name()), text(tile.value()), text(tile.what()), text(tile.rival()));
+  }
+
+  /** The figures of an id, or whose ids begin so if it ends with a hyphen. */
+  private Stream<Figure> named(String id) {
+    return figures.stream()
+        .filter(
+            figure -> figure.id().equals(id) || (id.endsWith("-") && figure.id().startsWith(id)));
+  }
+
+  private String figure(Figure figure) {
+    if (figure.id().startsWith(StabilityFigures.PREFIX)) {
+      return map(figure);
     }
+    return section(figure, "<p class=\"note\">" + text(figure.note()) + "</p>\n" + panels(figure));
   }
 
-  private void firstScreen() {
-    FirstScreen first = new FirstScreen(results);
-    html.append("<p class=\"brand\">Carom: circles that move and bounce, measured</p>\n<h1>")
-        .append(text(first.sentence()))
-        .append("</h1>\n<div class=\"tiles\">\n");
-    for (FirstScreen.Tile tile : first.tiles()) {
-      html.append("<div class=\"tile\"><b>")
-          .append(text(tile.name()))
-          .append("</b><span class=\"value\">")
-          .append(text(tile.value()))
-          .append("</span><span>")
-          .append(text(tile.what()))
-          .append("</span><span class=\"quiet\">")
-          .append(text(tile.rival()))
-          .append("</span></div>\n");
-    }
-    html.append("</div>\n");
-    figure("work-" + first.scene());
-    html.append("<nav aria-label=\"Parts of this page\"><ul>\n");
-    GROUPS.forEach(
-        (id, name) ->
-            html.append("<li><a href=\"#")
-                .append(id)
-                .append("\">")
-                .append(text(name))
-                .append("</a></li>\n"));
-    html.append("</ul></nav>\n");
+  private String section(Figure figure, String body) {
+    return "<section id=\"%s\">\n<h3>%s</h3>\n%s%s</section>\n"
+        .formatted(figure.id(), text(figure.title()), body, numbers(figure));
   }
 
-  private void group(String id) {
-    html.append("<h2 id=\"").append(id).append("\">").append(text(GROUPS.get(id)));
-    html.append("</h2>\n");
+  private String panels(Figure figure) {
+    // One or two panels fill the page; more of them stand three in a row.
+    String layout = figure.panels().size() < 3 ? "grid large" : "grid";
+    return figure.panels().stream()
+        .map(this::panel)
+        .collect(Collectors.joining("", "<div class=\"" + layout + "\">\n", "</div>\n"));
   }
 
-  private void paragraph(String plain) {
-    if (!plain.isEmpty()) {
-      html.append("<p>").append(text(plain)).append("</p>\n");
-    }
+  private String panel(Panel panel) {
+    String caption =
+        panel.title().isEmpty() ? "" : "<figcaption>" + text(panel.title()) + "</figcaption>";
+    return "<figure>" + caption + pictures.of(panel.picture()) + "</figure>\n";
   }
 
-  private void read() {
-    group("read");
-    Metadata m = results.metadata();
-    paragraph(
-        "The error of a method: each frame starts from the true state of all circles, plays one"
-            + " frame, and is compared with the true end of that frame. The true course is computed"
-            + " to more digits than a double holds, and every decision in it is proved. So neither"
-            + " errors of earlier frames count nor luck. Lengths are in px, times in frames; an error"
-            + " is in radii of the circle. Circles ignore each other, as in the published"
-            + " experiment; only in the gas they collide.");
-    scenes();
-    html.append("<details><summary>The methods, in words</summary>\n<dl>\n");
-    methods();
-    html.append("</dl></details>\n");
-    String run = m.quick() ? "A short run of " : "Run of ";
-    html.append("<p class=\"quiet\">")
-        .append(
-            text(
-                run
-                    + m.date()
-                    + " on "
-                    + m.cpu()
-                    + ", "
-                    + m.cores()
-                    + " cores, "
-                    + m.os()
-                    + "; "
-                    + (m.jdk() + " " + m.flags()).strip()
-                    + "; commit "
-                    + commit(m.commit())
-                    + ". Measure again: "))
-        .append("<code>")
-        .append(text(COMMAND + (m.quick() ? " --quick" : "")))
-        .append("</code>. Make this page from stored numbers: <code>")
-        .append(text(COMMAND + " --from bench/results --out DIR"))
-        .append("</code>.</p>\n");
+  /** A scene of the map stands beside the words. */
+  private String map(Figure figure) {
+    String name = figure.id().substring(StabilityFigures.PREFIX.length());
+    FailureMap map =
+        FailureMap.all(false).stream().filter(m -> m.name().equals(name)).findFirst().orElseThrow();
+    String sketch = pictures.of(Thumbnail.of(map.example(), "A scene of this map"));
+    return section(
+        figure,
+        "<div class=\"sketch\">%s<p>%s</p></div>\n%s"
+            .formatted(sketch, text(figure.note()), pictures.of(figure.panels().get(0).picture())));
   }
 
-  private static String commit(String commit) {
-    String age = Age.of(commit);
-    String bare = commit.length() > 12 ? commit.substring(0, 12) : commit;
-    return age.isEmpty() ? bare : bare + ", " + age;
-  }
-
-  private void scenes() {
-    List<String> measured = new ArrayList<>(results.scenes(Metrics.FRAME_ERROR));
-    if (!new GasTable(results).isEmpty()) {
-      measured.add("gas");
-    }
-    List<String> known = Scenes.all().stream().filter(measured::contains).toList();
-    if (known.isEmpty()) {
-      return;
-    }
-    html.append("<div class=\"scroll\" tabindex=\"0\" role=\"group\" aria-label=\"Scenes\">");
-    html.append("<table class=\"scenes\">\n<caption>The scenes</caption>\n<thead><tr>");
-    for (String name :
-        List.of("", "scene", "what it is", "circles", "lines", "walls", "radius", "speed")) {
-      html.append("<th scope=\"col\">").append(name).append("</th>");
-    }
-    html.append("</tr></thead>\n<tbody>\n");
-    for (String scene : known) {
-      html.append("<tr><td>");
-      picture(Thumbnail.of(Parts.scene(scene), "The scene " + scene));
-      html.append("<th scope=\"row\">").append(text(scene)).append("</th><td>");
-      html.append(text(Scenes.what(scene)));
-      Scenes.facts(scene).forEach(cell -> html.append("<td>").append(text(cell)));
-      html.append('\n');
-    }
-    html.append("</tbody></table></div>\n");
-  }
-
-  private void methods() {
-    Map<String, String> told = new LinkedHashMap<>(Glossary.methods());
-    told.keySet().retainAll(results.methods());
-    told.forEach(
-        (method, what) ->
-            item(
-                Glossary.name(method),
-                what + (method.equals(Glossary.name(method)) ? "" : " (" + method + ")")));
-    item("defaults, tuned", "an engine as it comes, and set as well as we could");
-  }
-
-  private void accuracy() {
-    group("accuracy");
-    figure("engines");
-    figure("work");
-    ReportTable ratios = Ratios.of(results);
-    if (!ratios.rows().isEmpty()) {
-      html.append("<details><summary>How many times as long as Carom the others take</summary>\n");
-      table(ratios, "Times of a frame, Carom = 1: medians, of a heap means", none -> "");
-      paragraph(
-          "Ratios of median frames; in brackets the least and the greatest that the virtual machines"
-              + " allow. Below 1 the other is faster. Of a heap they are ratios of the mean frame, as"
-              + " in its chart: most of its frames come after all is at rest, and a median would"
-              + " compare those alone.");
-      html.append("</details>\n");
-    }
-    figure("frames");
-  }
-
-  private void price() {
-    group("price");
-    PriceTables price = new PriceTables(results);
-    if (!price.questions().rows().isEmpty()) {
-      heading(price.questionsTitle());
-      paragraph(
-          "A question is one circle against one line: whether, and when. Plain doubles are Carom's"
-              + " own formulas without their proof. Wrong answers are of %s of each class. "
-                  .formatted(asked())
-              + price.asGood());
-      table(price.questions(), "Time of a question, and wrong answers", Page::factor);
-    }
-    if (!price.frames().rows().isEmpty()) {
-      heading(price.framesTitle());
-      paragraph(
-          "Two controls share Carom's event loop and kind of grid. They are short programs, not"
-              + " tuned as Carom is, so a factor below 1 says that tuning weighs more than"
-              + " exactness, not that exactness is free. "
-              + price.framesAsGood());
-      table(price.frames(), "Median time and worst error of a frame", none -> "");
-    }
-    QueryFigures questions = new QueryFigures(results);
-    folded(questions.sentence(), questions.table(), "Time and error of a question");
-    decisions();
-  }
-
-  private String asked() {
-    double asked =
-        results.scenes(Metrics.DECISIONS).stream()
-            .flatMap(scene -> results.only(scene, Metrics.CAROM, Metrics.DECISIONS).stream())
-            .mapToDouble(Spread::middle)
-            .max()
-            .orElse(0);
-    return ReportNumbers.count(asked);
-  }
-
-  private void decisions() {
-    DecisionTable decisions = new DecisionTable(results);
-    if (!decisions.table().rows().isEmpty()) {
-      html.append("<details><summary>")
-          .append(text(Verdict.of(results).get(0)))
-          .append("</summary>\n");
-      table(decisions.table(), "Missed hits | false hits, in exact counts", decisions::heat);
-      paragraph("The darker a cell, the larger the share of wrong answers, by decades.");
-      html.append("</details>\n");
-    }
-  }
-
-  /** The more an exact answer costs, the darker. */
-  private static String factor(String cell) {
-    if (!cell.endsWith(" x")) {
+  /** The table: behind pictures folded. */
+  private static String numbers(Figure figure) {
+    if (figure.table().isEmpty()) {
       return "";
     }
-    double factor = Double.parseDouble(cell.replace(" x", "").replace(",", ""));
-    return factor < 2 ? "" : factor < 5 ? "h1" : factor < 20 ? "h2" : "h3";
+    String table = table(figure.table(), figure.heading());
+    return figure.panels().isEmpty()
+        ? table
+        : "<details><summary>The numbers</summary>\n" + table + "</details>\n";
   }
 
-  private void needs() {
-    group("needs");
-    figure("features");
-    RungShares rungs = new RungShares(results);
-    folded(rungs.sentence(), rungs.table(), "Which precision decided");
+  private static String table(ReportTable table, String label) {
+    return table(label, "", table.head(), table.rows().stream().map(Page::row));
   }
 
-  private void stability() {
-    group("stability");
-    StabilityMatrix matrix = new StabilityMatrix(results);
-    if (!matrix.isEmpty()) {
-      heading(matrix.title());
-      paragraph(
-          "Six maps: each of their cells is a small scene, judged against its true course. The table"
-              + " has the share of scenes in which no circle was ever more than 0.001 radius off, and the"
-              + " share for 0.1 radius. A dark corner marks scenes in which no method can promise to be"
-              + " right: their course multiplies the rounding of doubles beyond 0.001 radius, or impacts"
-              + " pile up without end.");
-      table(matrix.table(), "Share of scenes that are right", Page::share);
-      html.append("<div class=\"grid\">\n");
-      for (FailureMap map : FailureMap.all(false)) {
-        map(map);
-      }
-      html.append("</div>\n");
+  private static String table(
+      String label, String attributes, List<String> head, Stream<String> rows) {
+    String titles =
+        head.stream()
+            .map(cell -> "<th scope=\"col\">" + text(cell) + "</th>")
+            .collect(Collectors.joining());
+    return """
+    <div class="scroll" tabindex="0" role="group" aria-label="%s: numbers"><table%s>
+    <caption>%s</caption>
+    <thead><tr>%s</tr></thead>
+    <tbody>
+    %s
+    </tbody></table></div>
+    """
+        .formatted(text(label), attributes, text(label), titles, joined(rows));
+  }
+
+  /** HTML lets cells and rows end where the next one begins: that is a 50th of the page. */
+  private static String row(List<String> cells) {
+    return cells.stream()
+        .skip(1)
+        .map(Page::cell)
+        .collect(Collectors.joining("", "<tr><th scope=\"row\">" + text(cells.get(0)), ""));
+  }
+
+  private static String cell(String text) {
+    String shade = shade(text);
+    return (shade.isEmpty() ? "<td>" : "<td class=\"" + shade + "\">") + text(text);
+  }
+
+  /** The more an exact answer costs, and the fewer scenes are right, the darker. */
+  private static String shade(String cell) {
+    if (cell.endsWith(Figure.TIMES)) {
+      double factor = Double.parseDouble(cell.replace(Figure.TIMES, "").replace(",", ""));
+      return shade(factor >= 2, factor >= 5, factor >= 20);
     }
-    figures.keySet().stream().filter(id -> id.startsWith("drift-")).forEach(this::figure);
-    figure("heap");
-    figure("bounce");
-    figure("trust");
-  }
-
-  /** The fewer are right, the darker. */
-  private static String share(String cell) {
-    if (!cell.contains("%")) {
-      return "";
+    if (cell.contains(MapTally.BAR)) {
+      double right = Double.parseDouble(cell.substring(0, cell.indexOf(' ')));
+      return shade(right < 99, right < 80, right < 40);
     }
-    double right = Double.parseDouble(cell.substring(0, cell.indexOf(' ')));
-    return right >= 99 ? "" : right >= 80 ? "h1" : right >= 40 ? "h2" : "h3";
+    return "";
   }
 
-  private void map(FailureMap map) {
-    Figure figure = figures.get("fails-" + map.name());
-    if (figure == null) {
-      return;
+  private static String shade(boolean light, boolean darker, boolean darkest) {
+    if (darkest) {
+      return "h3";
     }
-    html.append("<section class=\"map\" id=\"").append(text(figure.id())).append("\">\n<h3>");
-    html.append(text(figure.title())).append("</h3>\n<div class=\"sketch\">");
-    picture(Thumbnail.of(map.example(), "A scene of this map"));
-    html.append("<p>").append(text(figure.note())).append("</p></div>\n");
-    picture(figure.panels().get(0).picture());
-    numbers(figure);
-    html.append("</section>\n");
+    return darker ? "h2" : light ? "h1" : "";
   }
 
-  private void many() {
-    group("many");
-    GasTable gas = new GasTable(results);
-    if (!gas.isEmpty()) {
-      heading(gas.title());
-      paragraph(
-          "A gas of 100 elastic circles in four walls, 600 frames. Its energy should not change, and"
-              + " circles should not overlap.");
-      table(gas.table(), "A gas of colliding circles", none -> "");
-      paragraph(gas.note());
-    }
-    figure("scale");
-    figure("start");
-    figure("sweep");
+  private String scenes() {
+    List<String> head =
+        List.of("", "scene", "what it is", "circles", "lines", "walls", "radius", "speed");
+    List<String> known =
+        Scenes.all().stream().filter(scene -> !Standing.all(results, scene).isEmpty()).toList();
+    return known.isEmpty()
+        ? ""
+        : table("The scenes", " class=\"scenes\"", head, known.stream().map(this::scene));
   }
 
-  private void doubts() {
-    group("doubts");
-    html.append("<ul>\n");
-    Doubts.all().forEach(told -> html.append("<li>").append(text(told)).append("</li>\n"));
-    html.append("</ul>\n<details><summary>Where Carom is not the best, and what was not asked")
-        .append("</summary>\n<ul>\n");
-    Shortcomings.of(results)
-        .forEach(told -> html.append("<li>").append(text(told)).append("</li>\n"));
-    html.append("</ul></details>\n<details><summary>")
-        .append(text(AcceptanceLimits.sentence(results)))
-        .append("</summary>\n<ul>\n");
-    Verdict.of(results).forEach(told -> html.append("<li>").append(text(told)).append("</li>\n"));
-    html.append("</ul>\n</details>\n<details><summary>All limits</summary>\n");
-    table(AcceptanceLimits.table(results), "Limits, and whether they hold", none -> "");
-    AcceptanceLimits.note(results).ifPresent(this::paragraph);
-    html.append("</details>\n");
-    origin();
+  private String scene(String name) {
+    String picture = pictures.of(Thumbnail.of(Parts.scene(name), "The scene " + name));
+    return Stream.concat(Stream.of(Scenes.what(name)), Scenes.facts(name).stream())
+        .map(Page::cell)
+        .collect(
+            Collectors.joining(
+                "", "<tr><td>" + picture + "<th scope=\"row\">" + text(name) + "</th>", ""));
   }
 
-  private void heading(String plain) {
-    html.append("<h3>").append(text(plain)).append("</h3>\n");
+  private String methods() {
+    return joined(
+        Glossary.methods().stream()
+            .filter(results.methods()::contains)
+            .map(
+                method ->
+                    item(Glossary.name(method), Glossary.what(method) + " (" + method + ")")));
   }
 
-  /** Nothing if there is none of this name. */
-  private void figure(String id) {
-    Figure figure = figures.get(id);
-    if (figure == null) {
-      return;
-    }
-    html.append("<section id=\"").append(text(figure.id())).append("\">\n<h3>");
-    html.append(text(figure.title())).append("</h3>\n<p class=\"note\">");
-    html.append(text(figure.note())).append("</p>\n");
-    html.append("<div class=\"").append(layout(figure)).append("\">\n");
-    for (Panel panel : figure.panels()) {
-      html.append("<figure>");
-      if (!panel.title().isEmpty()) {
-        html.append("<figcaption>").append(text(panel.title())).append("</figcaption>");
-      }
-      picture(panel.picture());
-      html.append("</figure>\n");
-    }
-    html.append("</div>\n");
-    numbers(figure);
-    html.append("</section>\n");
-  }
-
-  /** One or two panels fill the page; more of them stand three in a row. */
-  private static String layout(Figure figure) {
-    return figure.panels().size() < 3 ? "grid large" : "grid";
-  }
-
-  /** A table that a sentence opens; nothing if it is empty. */
-  private void folded(String sentence, ReportTable table, String label) {
-    if (!table.rows().isEmpty()) {
-      html.append("<details><summary>").append(text(sentence)).append("</summary>\n");
-      table(table, label, none -> "");
-      html.append("</details>\n");
-    }
-  }
-
-  private void numbers(Figure figure) {
-    html.append("<details><summary>In words, and the numbers</summary>\n");
-    paragraph(figure.caption());
-    table(figure.table(), figure.heading(), none -> "");
-    html.append("</details>\n");
-  }
-
-  /** Writes a picture. Its label is short, for words beside the picture say the rest. */
-  private void picture(Picture picture) {
-    String prefix = "p" + pictures++ + "-";
-    String label = "<svg role=\"img\" aria-label=\"" + text(picture.title()) + "\" ";
-    html.append("<div class=\"picture\">");
-    html.append(slim(classed(themed(picture.svg(prefix)))).replaceFirst("<svg ", quoted(label)));
-    html.append("</div>\n");
-  }
-
-  /**
-   * Without what a page has no use for: name spaces, groups of one text, a title beside the label,
-   * and the clip of whole charts, which is the first of each.
-   */
-  private static String slim(String svg) {
-    return svg.replaceAll(" xmlns:?[a-z]*='[^']*'", "")
-        .replaceAll("<g>(<text [^>]*>[^<]*</text>)</g>", "$1")
-        .replaceFirst("<title>[^<]*</title>", "")
-        .replaceAll(" clip-path='url\\(#p[0-9]+-clip-0\\)'", "");
-  }
-
-  private static String quoted(String replacement) {
-    return Matcher.quoteReplacement(replacement);
-  }
-
-  /** Writes styles shared by thousands of marks once. They are a third of the page. */
-  private String classed(String svg) {
-    return STYLE
-        .matcher(svg)
-        .replaceAll(
-            match -> {
-              int next = styles.size();
-              int index = styles.computeIfAbsent(match.group(1), none -> next);
-              return "class='s" + index + "'";
-            });
-  }
-
-  private void styles() {
-    html.append("<style>\n");
-    styles.forEach((style, index) -> html.append(".s" + index + "{" + style + "}\n"));
-    html.append("</style>\n");
-  }
-
-  /** Colours by name, so that the page decides what they are. */
-  private static String themed(String svg) {
-    String themed = svg;
-    for (Map.Entry<Color, String> entry : NAMES.entrySet()) {
-      Color c = entry.getKey();
-      String rgb = "rgb(" + c.getRed() + "," + c.getGreen() + "," + c.getBlue() + ")";
-      themed = themed.replace(rgb, "var(--" + entry.getValue() + ")");
-    }
-    return themed;
-  }
-
-  /** Classes of cells follow from their texts. */
-  private void table(ReportTable table, String label, UnaryOperator<String> cellClass) {
-    html.append("<div class=\"scroll\" tabindex=\"0\" role=\"group\" aria-label=\"")
-        .append(text(label))
-        .append(": numbers\"><table>\n<caption>")
-        .append(text(label))
-        .append("</caption>\n<thead><tr>");
-    table
-        .head()
-        .forEach(cell -> html.append("<th scope=\"col\">").append(text(cell)).append("</th>"));
-    html.append("</tr></thead>\n<tbody>\n");
-    for (List<String> row : table.rows()) {
-      html.append("<tr><th scope=\"row\">").append(text(row.get(0)));
-      // HTML lets cells and rows end where the next one begins: that is a 50th of the page.
-      row.stream()
-          .skip(1)
-          .forEach(
-              cell -> {
-                String name = cellClass.apply(cell);
-                html.append(name.isEmpty() ? "<td>" : "<td class=\"" + name + "\">");
-                html.append(text(cell));
-              });
-      html.append('\n');
-    }
-    html.append("</tbody></table></div>\n");
-  }
-
-  private void origin() {
+  private String run() {
     Metadata m = results.metadata();
-    html.append("<details><summary>Where these numbers come from</summary>\n<dl>\n");
-    item("processor", m.cpu() + ", " + m.cores() + " cores");
-    item("system", m.os());
-    item("virtual machine", (m.jdk() + " " + m.flags()).strip());
-    item("commit", m.commit());
-    m.scenes()
-        .forEach(
-            (scene, hash) ->
-                item(
-                    "scene " + scene,
-                    "src/test/resources/scenes/%s.csv, SHA-256 %s".formatted(scene, hash)));
-    m.seeds().forEach((name, seed) -> item("seed " + name, Long.toString(seed)));
-    item("rows", ReportNumbers.count(results.rows().size()));
-    failures().forEach(failure -> item("not measured", failure));
-    html.append("</dl></details>\n");
+    return text(
+        "%s of %s on %s, %d cores, %s; %s; commit %s%s"
+            .formatted(
+                m.quick() ? "A short run" : "Run",
+                m.date(),
+                m.cpu(),
+                m.cores(),
+                m.os(),
+                (m.jdk() + " " + m.flags()).strip(),
+                m.commit().substring(0, Math.min(12, m.commit().length())),
+                Origin.age(m.commit())));
   }
 
-  /** The failures: which method, where and why, each once. */
-  private List<String> failures() {
-    return results.rows().stream()
-        .filter(row -> row.metric().equals(ReportRun.FAILURE))
-        .map(
-            row ->
-                "%s %s: %s"
-                    .formatted(row.scene(), new Setting(row.method(), row.knob()), row.stat()))
-        .distinct()
-        .toList();
+  private String limits() {
+    String note =
+        AcceptanceLimits.note(results).map(told -> "<p>" + text(told) + "</p>\n").orElse("");
+    return table(AcceptanceLimits.table(results), "Limits, and whether they hold") + note;
   }
 
-  private void item(String name, String value) {
-    html.append("<dt>").append(text(name)).append("</dt><dd>").append(text(value));
-    html.append("</dd>\n");
+  /** What tells the run beyond the line at the top: the inputs, and the failures, each once. */
+  private String origin() {
+    Metadata m = results.metadata();
+    Map<String, String> inputs = new TreeMap<>();
+    m.scenes().forEach((scene, hash) -> inputs.put("scene " + scene, "SHA-256 " + hash));
+    m.seeds().forEach((name, seed) -> inputs.put("seed " + name, Long.toString(seed)));
+    Stream<String> failures =
+        results.rows().stream()
+            .filter(row -> row.metric().equals(ReportRun.FAILURE))
+            .map(
+                row ->
+                    row.scene() + " " + new Setting(row.method(), row.knob()) + ": " + row.stat())
+            .distinct();
+    return joined(
+        Stream.of(
+                Stream.of(
+                    item("commit", m.commit()),
+                    item("rows", ReportNumbers.count(results.rows().size()))),
+                inputs.entrySet().stream().map(input -> item(input.getKey(), input.getValue())),
+                failures.map(failure -> item("not measured", failure)))
+            .flatMap(items -> items));
   }
 
-  private static String text(String plain) {
+  private static String item(String name, String value) {
+    return "<dt>" + text(name) + "</dt><dd>" + text(value) + "</dd>";
+  }
+
+  static String text(String plain) {
     return plain
         .replace("&", "&amp;")
         .replace("<", "&lt;")

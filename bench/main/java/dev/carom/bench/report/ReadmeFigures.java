@@ -4,19 +4,16 @@ package dev.carom.bench.report;
 import dev.carom.bench.replay.Budget;
 import dev.carom.bench.results.Metadata;
 import dev.carom.bench.results.Results;
-import dev.carom.bench.results.Setting;
 import dev.carom.bench.results.Spread;
 import dev.carom.bench.results.WholeFile;
 import dev.carom.bench.series.ScalePlan.Model;
 import java.io.IOException;
-import java.math.BigDecimal;
-import java.math.MathContext;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.List;
-import java.util.Locale;
 import java.util.regex.Matcher;
 import java.util.regex.Pattern;
+import java.util.stream.Collectors;
 
 /**
  * The figures that a page quotes. Each stands between two marks, {@code <!--ratio:poster-->} and
@@ -35,14 +32,12 @@ public final class ReadmeFigures {
   private static final String SCENE = "base-1";
   private static final String FAST = "fast-1";
   private static final String HEAP = "heap";
-  private static final String POSTER = "poster";
   private static final String KNOWN =
       "time, ratio, spread, impacts, alone, colliding, error, overlap or tunnelled with a colon and the name"
-          + " of a method, or published, wrong, worst:error, worst:frame, budget, machine, commit, date, verdict";
+          + " of a method, or published, wrong, machine, commit, date, verdict";
 
   private static final int COMMIT_LENGTH = 10;
   private static final double BUDGET = 1e6 * Budget.MILLIS;
-  private static final double PUBLISHED = 1e9 / Budget.PUBLISHED_FPS;
 
   private final Results results;
 
@@ -113,23 +108,21 @@ public final class ReadmeFigures {
       case "error" -> ReportNumbers.error(value(SCENE, method, Metrics.FRAME_ERROR, "max"));
       case "overlap" -> ReportNumbers.error(overlap(method));
       case "tunnelled" -> ReportNumbers.count(value(FAST, method, "tunnelled", "circles"));
-      case "worst" -> method.equals("error") ? worstError() : ReportNumbers.time(worstFrame());
       case "published" -> published();
-      case "wrong" ->
-          ReportNumbers.count(wrong()) + " of " + ReportNumbers.count(sum(Metrics.DECISIONS));
-      case "budget" -> "1/" + ReportNumbers.count(BUDGET / worstFrame());
+      case "wrong" -> wrong();
       case "machine" -> machine();
       case "commit" -> shortened(results.metadata().commit());
       case "date" -> results.metadata().date();
-      case "verdict" -> verdict();
+      case "verdict" ->
+          Verdict.of(results).stream().collect(Collectors.joining("\n", "\n```\n", "\n```\n"));
       default ->
           throw new IllegalArgumentException("no figure \"" + name + "\": expected " + KNOWN);
     };
   }
 
   private Spread time(String method) {
-    return results
-        .spread(SCENE, best(SCENE, method, Metrics.FRAME_TIME), Metrics.FRAME_TIME, "median")
+    return best(SCENE, method, Metrics.FRAME_TIME)
+        .spread(Metrics.FRAME_TIME, "median")
         .orElseThrow();
   }
 
@@ -142,91 +135,58 @@ public final class ReadmeFigures {
   private String circles(Model model, String method) {
     return new ScaleTimes(results)
         .within(model, method, BUDGET)
-        .orElseThrow(
-            () ->
-                new IllegalArgumentException(
-                    "circles of \"%s\" at 60 FPS: not measured".formatted(method)));
+        .orElseThrow(() -> notMeasured("circles at 60 FPS", method, model.label()));
   }
 
   /** In the heap, at the setting with which circles overlap least. */
   private double overlap(String method) {
-    return results.settings(HEAP, Metrics.HEAP_OVERLAP).stream()
-        .filter(setting -> setting.method().equals(method))
-        .mapToDouble(setting -> results.value(HEAP, setting, Metrics.HEAP_OVERLAP, "max"))
+    return settings(HEAP, method, Metrics.HEAP_OVERLAP).stream()
+        .mapToDouble(s -> s.value(Metrics.HEAP_OVERLAP, "max"))
         .min()
-        .orElseThrow(
-            () ->
-                new IllegalArgumentException(
-                    "overlap of \"%s\" in the heap: not measured".formatted(method)));
+        .orElseThrow(() -> notMeasured(Metrics.HEAP_OVERLAP, method, HEAP));
   }
 
   private double value(String scene, String method, String metric, String stat) {
-    return results.value(scene, best(scene, method, metric), metric, stat);
+    return best(scene, method, metric).value(metric, stat);
   }
 
-  private Setting best(String scene, String method, String metric) {
-    List<Setting> all =
-        results.settings(scene, metric).stream().filter(s -> s.method().equals(method)).toList();
+  private Standing best(String scene, String method, String metric) {
+    List<Standing> all = settings(scene, method, metric);
     return all.stream()
-        .filter(setting -> all.size() == 1 || !Metrics.isDefault(setting))
+        .filter(s -> all.size() == 1 || !Glossary.isDefault(s.setting()))
         .findFirst()
-        .orElseThrow(
-            () ->
-                new IllegalArgumentException(
-                    "%s of \"%s\" in %s: not measured".formatted(metric, method, scene)));
+        .orElseThrow(() -> notMeasured(metric, method, scene));
+  }
+
+  private List<Standing> settings(String scene, String method, String metric) {
+    return Standing.of(results, scene, metric).stream()
+        .filter(s -> s.method().equals(method))
+        .toList();
+  }
+
+  private static IllegalArgumentException notMeasured(String what, String method, String scene) {
+    return new IllegalArgumentException(
+        "%s of \"%s\" in %s: not measured".formatted(what, method, scene));
   }
 
   /** How many times as long as the same algorithm now the published run took for a frame. */
   private String published() {
-    double now = value(SCENE, POSTER, Metrics.FRAME_TIME, "mean");
-    return new BigDecimal(PUBLISHED / now).round(new MathContext(2)).toPlainString();
+    double now = value(SCENE, FirstScreen.PUBLISHED, Metrics.FRAME_TIME, "mean");
+    return ReportNumbers.rounded(1e9 / Budget.PUBLISHED_FPS / now, 2);
   }
 
-  private double wrong() {
-    return sum(Metrics.MISSED) + sum(Metrics.INVENTED);
-  }
-
-  /** The sum of a metric of Carom over all classes of questions. */
-  private double sum(String metric) {
-    return results.scenes(metric).stream()
-        .flatMap(scene -> results.only(scene, Metrics.CAROM, metric).stream())
-        .mapToDouble(Spread::middle)
-        .sum();
-  }
-
-  private String worstError() {
-    return ReportNumbers.error(
-        results.scenes(Metrics.FRAME_ERROR).stream()
-            .mapToDouble(s -> results.value(s, Metrics.CAROM, Metrics.FRAME_ERROR, "max"))
-            .max()
-            .orElse(Double.NaN));
-  }
-
-  private double worstFrame() {
-    return results.scenes(Metrics.FRAME_TIME).stream()
-        .mapToDouble(s -> results.value(s, Metrics.CAROM, Metrics.FRAME_TIME, "worst"))
-        .max()
-        .orElse(Double.NaN);
+  private String wrong() {
+    Answers ours = Answers.ours(results);
+    return ReportNumbers.count(ours.wrong()) + " of " + ReportNumbers.count(ours.total());
   }
 
   private String machine() {
     Metadata from = results.metadata();
-    return String.format(
-        Locale.ROOT,
-        "%s, %s; %s",
-        from.cpu(),
-        from.cores() == 1 ? "1 core" : from.cores() + " cores",
-        from.jdk());
+    String cores = from.cores() == 1 ? "1 core" : from.cores() + " cores";
+    return from.cpu() + ", " + cores + "; " + from.jdk();
   }
 
   private static String shortened(String commit) {
     return commit.substring(0, Math.min(COMMIT_LENGTH, commit.length()));
-  }
-
-  /** In a block of its own. */
-  private String verdict() {
-    StringBuilder text = new StringBuilder("\n```\n");
-    Verdict.of(results).forEach(sentence -> text.append(sentence).append('\n'));
-    return text.append("```\n").toString();
   }
 }

@@ -11,8 +11,9 @@ import dev.carom.bench.series.ScalePlan;
 import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
-import java.util.ArrayList;
 import java.util.List;
+import java.util.stream.Collectors;
+import java.util.stream.Stream;
 
 /**
  * Writes a report: results as JSON and CSV, the verdict as text, one page, and each figure as PNG
@@ -39,18 +40,15 @@ public final class Report {
    * Returns the result without pictures.
    *
    * @param results what was measured
-   * @return the verdict, a sentence a line, the ratios of times, and the limits
+   * @return the verdict, a sentence a line, and the limits
    */
   public static String summary(Results results) {
-    StringBuilder text = new StringBuilder();
-    Verdict.of(results).forEach(sentence -> text.append(sentence).append('\n'));
-    ReportTable ratios = Ratios.of(results);
-    if (!ratios.rows().isEmpty()) {
-      text.append('\n').append(ratios.text());
-    }
-    text.append('\n').append(AcceptanceLimits.table(results).text());
-    AcceptanceLimits.note(results).ifPresent(note -> text.append('\n').append(note).append('\n'));
-    return text.toString();
+    return Stream.of(
+            String.join("\n", Verdict.of(results)) + "\n",
+            AcceptanceLimits.table(results).text(),
+            AcceptanceLimits.note(results).map(note -> note + "\n").orElse(""))
+        .filter(part -> !part.isEmpty())
+        .collect(Collectors.joining("\n"));
   }
 
   /**
@@ -73,7 +71,9 @@ public final class Report {
     WholeFile.write(dir.resolve(PAGE), Page.of(results, figures));
     WholeFile.write(dir.resolve(README), ResultsReadme.of(results, figures));
     for (Figure figure : figures) {
-      writePictures(figure, dir);
+      if (!figure.panels().isEmpty()) {
+        writePictures(figure, dir);
+      }
     }
   }
 
@@ -95,19 +95,23 @@ public final class Report {
    * @return in the order of the page
    */
   static List<Figure> figures(Results results) {
-    List<Figure> figures = new ArrayList<>();
-    figures.addAll(new WorkFigures(results).figures());
-    figures.addAll(new FeatureFigures(results).figures());
-    figures.addAll(new DriftFigures(results).figures());
-    figures.addAll(new ContactFigures(results).figures());
-    figures.addAll(new BounceFigures(results).figures());
-    figures.addAll(new TrustFigures(results).figures());
-    figures.addAll(new StabilityFigures(results).figures());
-    figures.addAll(new FrameTimeFigures(results).figures());
-    figures.addAll(new StartFigures(results).figures());
-    figures.addAll(new SweepFigures(results).figures());
-    figures.addAll(new ScaleFigures(results, 1e6 * ScalePlan.LIMIT_MILLIS).figures());
-    figures.addAll(new WorldsFigures(results).figures());
-    return figures;
+    return Stream.of(
+            new WorkFigures(results).figures(),
+            FrameTimeFigure.of(results),
+            new QuestionFigures(results).figures(),
+            GridFigure.of(results),
+            new FeatureFigures(results).figures(),
+            new StabilityMatrix(results).figures(),
+            new StabilityFigures(results).figures(),
+            DriftFigure.of(results),
+            HeapFigure.of(results),
+            BounceFigure.of(results),
+            TrustFigure.of(results),
+            GasFigure.of(results),
+            new ScaleFigures(results, 1e6 * ScalePlan.LIMIT_MILLIS).figures(),
+            StartFigure.of(results),
+            new SweepFigures(results).figures())
+        .flatMap(List::stream)
+        .toList();
   }
 }

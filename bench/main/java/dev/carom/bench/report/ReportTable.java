@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 package dev.carom.bench.report;
 
-import java.util.ArrayList;
 import java.util.List;
+import java.util.stream.Collectors;
+import java.util.stream.IntStream;
 import java.util.stream.Stream;
 
 /**
@@ -13,10 +14,17 @@ import java.util.stream.Stream;
  */
 public record ReportTable(List<String> head, List<List<String>> rows) {
 
+  /** The table of a figure that needs none. */
+  static final ReportTable NONE = new ReportTable(List.of(), List.of());
+
   /** Keeps a copy. */
   public ReportTable {
     head = List.copyOf(head);
     rows = rows.stream().map(List::copyOf).toList();
+  }
+
+  boolean isEmpty() {
+    return rows.isEmpty();
   }
 
   /**
@@ -24,52 +32,20 @@ public record ReportTable(List<String> head, List<List<String>> rows) {
    * ended.
    */
   public String text() {
-    int[] widths = new int[head.size()];
-    Stream.concat(Stream.of(head), rows.stream())
-        .forEach(
-            row -> {
-              for (int i = 0; i < widths.length; i++) {
-                widths[i] = Math.max(widths[i], row.get(i).length());
-              }
-            });
+    List<List<String>> lines = Stream.concat(Stream.of(head), rows.stream()).toList();
+    List<Integer> widths =
+        IntStream.range(0, head.size())
+            .mapToObj(i -> lines.stream().mapToInt(line -> line.get(i).length()).max().orElse(0))
+            .toList();
+    return lines.stream().map(line -> text(line, widths)).collect(Collectors.joining());
+  }
+
+  private static String text(List<String> line, List<Integer> widths) {
     StringBuilder text = new StringBuilder();
-    Stream.concat(Stream.of(head), rows.stream())
-        .forEach(row -> text.append(line(row, widths)).append('\n'));
-    return text.toString();
-  }
-
-  private static String line(List<String> row, int[] widths) {
-    StringBuilder line = new StringBuilder();
-    for (int i = 0; i < widths.length; i++) {
-      String space = " ".repeat(widths[i] - row.get(i).length());
-      line.append(i == 0 ? row.get(i) + space : "  " + space + row.get(i));
+    for (int i = 0; i < line.size(); i++) {
+      String space = " ".repeat(widths.get(i) - line.get(i).length());
+      text.append(i == 0 ? line.get(i) + space : "  " + space + line.get(i));
     }
-    return line.toString().stripTrailing();
-  }
-
-  /** An empty table that rows are added to. */
-  static final class Builder {
-    private final List<String> head;
-    private final List<List<String>> rows = new ArrayList<>();
-
-    Builder(String... head) {
-      this.head = List.of(head);
-    }
-
-    Builder(List<String> head) {
-      this.head = head;
-    }
-
-    void row(List<String> cells) {
-      rows.add(cells);
-    }
-
-    void row(String... cells) {
-      rows.add(List.of(cells));
-    }
-
-    ReportTable build() {
-      return new ReportTable(head, rows);
-    }
+    return text.toString().stripTrailing() + "\n";
   }
 }

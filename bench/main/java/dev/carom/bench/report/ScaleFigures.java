@@ -5,21 +5,26 @@ import dev.carom.bench.charts.Curve;
 import dev.carom.bench.charts.CurveChart;
 import dev.carom.bench.charts.CurveChart.Unit;
 import dev.carom.bench.replay.Budget;
-import dev.carom.bench.report.ScaleTimes.Per;
 import dev.carom.bench.results.Results;
-import dev.carom.bench.results.Setting;
+import dev.carom.bench.series.Growth;
+import dev.carom.bench.series.Scale;
 import dev.carom.bench.series.ScalePlan.Model;
 import java.util.ArrayList;
 import java.util.LinkedHashMap;
 import java.util.List;
+import java.util.Locale;
 import java.util.Map;
+import java.util.stream.Collectors;
+import java.util.stream.Stream;
 
-/** Time per frame, per impact and per circle, against the number of circles. */
+/** Time of a frame against the number of circles. */
 public final class ScaleFigures {
+
+  private static final double BUDGET = 1e6 * Budget.MILLIS;
 
   private final Results results;
   private final ScaleTimes times;
-  private final ScaleGrowth growth;
+  private final Map<Model, List<Curve>> curves = new LinkedHashMap<>();
   private final double limit;
 
   /**
@@ -32,88 +37,130 @@ public final class ScaleFigures {
     this.results = results;
     this.limit = limit;
     times = new ScaleTimes(results);
-    growth = new ScaleGrowth(results);
+    Stream.of(Model.values()).forEach(model -> curves.put(model, times.curves(model)));
+    curves.values().removeIf(List::isEmpty);
   }
 
   /** Makes the figure: one, or none if nothing was measured. */
   public List<Figure> figures() {
-    if (times.isEmpty()) {
+    if (curves.isEmpty()) {
       return List.of();
     }
+    String title =
+        Stream.of(Metrics.OURS, "gdx-box2d")
+            .map(this::within)
+            .filter(words -> !words.isEmpty())
+            .collect(Collectors.joining("; ", "At 60 frames a second ", ""));
     Map<String, List<Curve>> panels = new LinkedHashMap<>();
-    for (Model model : Model.values()) {
-      List<Curve> curves = times.curves(model, Per.FRAME);
-      if (!curves.isEmpty()) {
-        panels.put(model.title(), curves.stream().map(ScaleFigures::unset).toList());
-      }
-    }
+    curves.forEach((model, lines) -> panels.put(model.title(), lines));
     CurveChart chart =
-        new CurveChart(
-                "Time against the number of circles.",
-                Settings.marks(results),
-                Unit.TIME,
-                "median time of a frame",
-                panels)
+        new CurveChart(title, Settings.marks(results), Unit.TIME, "median time of a frame", panels)
             .alongCounts("number of circles")
-            .level(1e6 * Budget.MILLIS, "60 FPS")
+            .level(BUDGET, "60 FPS")
             .limit(limit);
-    String caption =
-        "Time of a frame, of an impact and of a circle against the number of circles, by each method up to where one frame takes longer than %s. "
-                .formatted(ReportNumbers.time(limit))
-            + String.join(" ", told());
     return List.of(
         new Figure(
             "scale",
             "Many circles",
-            growth.title(),
+            title,
             "Equal density in all scenes; engines at their defaults. A crossed ring above the break: a frame took longer than %s, and larger scenes were not played."
                 .formatted(ReportNumbers.time(limit)),
-            caption.strip(),
             chart.panels(),
             table()));
   }
 
-  /** Each method stands there in one setting: it needs no name. */
-  private static Curve unset(Curve c) {
-    return new Curve(c.method(), "", c.x(), c.low(), c.middle(), c.high());
+  private String within(String method) {
+    String circles =
+        curves.keySet().stream()
+            .flatMap(
+                model ->
+                    times.within(model, method, BUDGET).stream()
+                        .map(n -> n + (model == Model.GAS ? " that collide" : " circles")))
+            .collect(Collectors.joining(", or "));
+    return circles.isEmpty() ? "" : Glossary.name(method) + " moves " + circles;
   }
 
   /** How times grow with the number of circles, and what a world takes of memory: sentences. */
   public List<String> told() {
-    List<String> told = new ArrayList<>(growth.sentences());
-    growth.memory().ifPresent(told::add);
+    List<String> told = new ArrayList<>();
+    curves.forEach(
+        (model, lines) -> {
+          for (Curve curve : lines) {
+            Curves.growth(curve)
+                .ifPresent(
+                    fit ->
+                        told.add(
+                            "%s: %s, the time of a frame grows with the circles %s."
+                                .formatted(
+                                    model.label(),
+                                    Glossary.name(curve.method()),
+                                    Curves.power(fit))));
+          }
+        });
+    results.scenes(Scale.MEMORY).stream().limit(1).map(this::memory).forEach(told::add);
     return told;
+  }
+
+  private String memory(String scene) {
+    return String.format(
+        Locale.ROOT,
+        "A world of %s circles and lines takes %.0f bytes a circle and %.0f a line.",
+        ReportNumbers.count(Curves.size(scene)),
+        results.value(scene, Metrics.CAROM, Scale.MEMORY, "circle"),
+        results.value(scene, Metrics.CAROM, Scale.MEMORY, "line"));
+  }
+
+  /** The growth of carom in each model, and the methods that became too slow. */
+  String verdict() {
+    List<String> models = new ArrayList<>();
+    List<String> late = new ArrayList<>();
+    curves.forEach(
+        (model, lines) -> {
+          for (Curve curve : lines) {
+            if (curve.method().equals(Metrics.OURS)) {
+              Curves.growth(curve).ifPresent(fit -> models.add(growth(model, curve, fit)));
+            }
+            if (Double.isNaN(last(curve.middle()))) {
+              late.add(
+                  "%s at %s (%s)"
+                      .formatted(
+                          Glossary.name(curve.method()),
+                          ReportNumbers.count(last(curve.x())),
+                          model == Model.GAS ? "colliding" : "alone"));
+            }
+          }
+        });
+    if (models.isEmpty()) {
+      return "Growth: not measured.";
+    }
+    return "Growth: the time of a frame of Carom grows %s%s."
+        .formatted(
+            String.join("; ", models),
+            late.isEmpty() ? "" : "; too slow to go on: " + String.join(", ", late));
+  }
+
+  private static String growth(Model model, Curve curve, Growth fit) {
+    return "with %s %s, up to %s for %s"
+        .formatted(
+            model.words(),
+            Curves.power(fit),
+            ReportNumbers.time(last(curve.middle())),
+            ReportNumbers.count(last(curve.x())));
+  }
+
+  private static double last(double[] numbers) {
+    return numbers[numbers.length - 1];
   }
 
   /** The numbers: a row for each scene and method. */
   public ReportTable table() {
-    ReportTable.Builder table =
-        new ReportTable.Builder(
-            "model", "circles", "method", "a frame", "least", "greatest", "an impact", "a circle");
-    for (Model model : Model.values()) {
-      for (Curve curve : times.curves(model, Per.FRAME)) {
-        for (int i = 0; i < curve.x().length; i++) {
-          row(table, model, curve, i);
-        }
-      }
-    }
-    return table.build();
-  }
-
-  private void row(ReportTable.Builder table, Model model, Curve curve, int i) {
-    double n = curve.x()[i];
-    double time = curve.middle()[i];
-    Setting setting = new Setting(curve.method(), curve.knob());
-    double impacts = times.impacts(ScaleTimes.scene(model, n), setting);
-    boolean cut = Double.isNaN(time);
-    table.row(
-        model.label(),
-        ReportNumbers.count(n),
-        Glossary.name(curve.method()),
-        cut ? "over " + ReportNumbers.time(limit) : ReportNumbers.time(time),
-        cut ? "-" : ReportNumbers.time(curve.low()[i]),
-        cut ? "-" : ReportNumbers.time(curve.high()[i]),
-        impacts > 0 && !cut ? ReportNumbers.time(time / impacts) : "-",
-        cut ? "-" : ReportNumbers.time(time / n));
+    Map<String, List<Curve>> lines = new LinkedHashMap<>();
+    curves.forEach((model, of) -> lines.put(model.label(), of));
+    return Curves.table(
+        lines,
+        List.of("model", "circles", "method", "a frame", "least", "greatest"),
+        ReportNumbers::count,
+        time ->
+            Double.isNaN(time) ? "over " + ReportNumbers.time(limit) : ReportNumbers.time(time));
   }
 }

@@ -5,40 +5,28 @@ import dev.carom.Circle;
 import dev.carom.Kind;
 import dev.carom.Scene;
 import dev.carom.bench.measures.Parts;
-import java.util.ArrayList;
-import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Locale;
 import java.util.Map;
+import java.util.Set;
 import java.util.function.IntToDoubleFunction;
 import java.util.stream.IntStream;
 
 /** The scenes of the comparison, in a few words each. */
 final class Scenes {
 
-  private static final Map<String, String> WORDS = new LinkedHashMap<>();
-
-  static {
-    WORDS.put("base-1", "the published experiment");
-    WORDS.put("base-1-r5", "half the radius");
-    WORDS.put("fast-1", "ten times the speed");
-    WORDS.put("radii", "mixed radii");
-    WORDS.put("base-2", "the experiment, drawn anew");
-    WORDS.put("base-3", "the experiment, drawn once more");
-    WORDS.put("gas", "circles that collide");
-    WORDS.put("heap", "circles that fall into a heap");
-  }
+  private static final Map<String, List<String>> WORDS = Texts.table("scenes.txt");
 
   private Scenes() {}
 
   /** Those that are described, in the order of the report. */
-  static List<String> all() {
-    return new ArrayList<>(WORDS.keySet());
+  static Set<String> all() {
+    return WORDS.keySet();
   }
 
   /** Describes a scene; empty for an unknown one. */
   static String what(String scene) {
-    return WORDS.getOrDefault(scene, "");
+    return WORDS.getOrDefault(scene, List.of("")).get(0);
   }
 
   /** What it stands for, for a title. */

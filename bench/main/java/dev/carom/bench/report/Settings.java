@@ -4,12 +4,9 @@ package dev.carom.bench.report;
 import dev.carom.bench.charts.Marks;
 import dev.carom.bench.results.Results;
 import dev.carom.bench.results.Setting;
-import java.util.ArrayList;
 import java.util.Collection;
 import java.util.Comparator;
-import java.util.LinkedHashMap;
 import java.util.List;
-import java.util.Map;
 import java.util.Set;
 
 /** The order in which settings are told, however they were measured: carom first, knobs upwards. */
@@ -18,7 +15,7 @@ final class Settings {
   private static final Comparator<Setting> ORDER =
       Comparator.comparing((Setting s) -> !s.method().equals(Metrics.OURS))
           .thenComparing(Setting::method)
-          .thenComparing(s -> !s.knob().isEmpty() && !Metrics.isDefault(s))
+          .thenComparing(s -> !s.knob().isEmpty() && !Glossary.isDefault(s))
           .thenComparingDouble(Settings::number)
           .thenComparing(Setting::knob);
 
@@ -44,36 +41,11 @@ final class Settings {
     return !IN_TABLES_ONLY.contains(setting.method());
   }
 
-  static List<Setting> of(Results results, String scene, String metric) {
-    return sorted(results.settings(scene, metric));
-  }
-
   static List<Setting> sorted(Collection<Setting> settings) {
-    List<Setting> sorted = new ArrayList<>(settings);
-    sorted.removeIf(setting -> setting.method().equals(Metrics.NEIGHBOUR));
-    sorted.sort(ORDER);
-    return sorted;
-  }
-
-  /**
-   * One setting of each method, the one with the least error in a scene: for charts that have no
-   * room for all. Where there is no error to go by, the last one.
-   */
-  static List<Setting> finest(Results results, String scene, String metric) {
-    Map<String, Setting> finest = new LinkedHashMap<>();
-    for (Setting setting : of(results, scene, metric)) {
-      finest.merge(
-          setting.method(),
-          setting,
-          (best, other) ->
-              error(results, scene, best) < error(results, scene, other) ? best : other);
-    }
-    return List.copyOf(finest.values());
-  }
-
-  private static double error(Results results, String scene, Setting setting) {
-    double error = results.value(scene, setting, Metrics.FRAME_ERROR, "max");
-    return Double.isNaN(error) ? Double.POSITIVE_INFINITY : error;
+    return settings.stream()
+        .filter(setting -> !setting.method().equals(Metrics.NEIGHBOUR))
+        .sorted(ORDER)
+        .toList();
   }
 
   /** Marks that do not depend on the order of the rows. */

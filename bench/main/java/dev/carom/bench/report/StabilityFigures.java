@@ -6,7 +6,6 @@ import dev.carom.bench.charts.FailureMapChart.Board;
 import dev.carom.bench.charts.FailureMapChart.Side;
 import dev.carom.bench.charts.Panel;
 import dev.carom.bench.results.Results;
-import dev.carom.bench.results.Setting;
 import dev.carom.bench.stability.Axis;
 import dev.carom.bench.stability.CellLimit;
 import dev.carom.bench.stability.CellOutcome;
@@ -17,9 +16,17 @@ import java.util.Collection;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
+import java.util.Optional;
+import java.util.function.BinaryOperator;
+import java.util.function.Predicate;
+import java.util.stream.Collectors;
+import java.util.stream.Stream;
 
 /** Where methods fail: maps of small scenes, one panel a method. */
 public final class StabilityFigures {
+
+  /** Of the ids of all its figures. */
+  static final String PREFIX = "fails-";
 
   /** Short enough for a legend. */
   private static final Map<CellOutcome, String> WORDS =
@@ -44,21 +51,21 @@ public final class StabilityFigures {
 
   /** The maps that the results have. */
   public List<Figure> figures() {
-    List<String> played = results.scenes(Survey.LIMIT);
     return FailureMap.all(false).stream()
-        .filter(map -> played.contains(Survey.SCENE + map.name()))
+        .map(map -> MapTally.of(results, map))
+        .filter(tallies -> !tallies.isEmpty())
         .map(this::figure)
         .toList();
   }
 
-  private Figure figure(FailureMap map) {
-    List<MapTally> tallies = tallies(map);
-    StabilityWords words = new StabilityWords(tallies);
-    List<Board> boards = drawn(tallies).stream().map(StabilityFigures::panel).toList();
-    List<CellLimit> limits = limits(map);
+  private Figure figure(List<MapTally> tallies) {
+    FailureMap map = tallies.get(0).map();
+    List<CellLimit> limits = tallies.get(0).limits();
+    List<Board> boards = drawn(tallies).stream().map(StabilityFigures::board).toList();
+    String title = title(tallies);
     FailureMapChart chart =
         new FailureMapChart(
-            words.caption(map.heading()),
+            title,
             Settings.marks(results),
             side(map, map.x(), Survey.X),
             side(map, map.y(), Survey.Y),
@@ -66,65 +73,27 @@ public final class StabilityFigures {
             limits.stream().map(limit -> limit != CellLimit.NONE).toList(),
             boards);
     return new Figure(
-        "fails-" + map.name(),
+        PREFIX + map.name(),
         "Where methods fail: " + map.heading(),
-        words.title(),
+        title,
         map.run()
             + " Each small square is one such scene, and the number above how many are right."
-            + words.absent(),
-        words.caption(map.heading()),
+            + absent(tallies),
         List.of(new Panel("", chart.picture())),
-        StabilityWords.table(tallies));
-  }
-
-  /** Those who play the map, then those who cannot. */
-  private List<MapTally> tallies(FailureMap map) {
-    String scene = Survey.SCENE + map.name();
-    List<Setting> cannot = results.settings(scene, ReportRun.FAILURE);
-    List<CellLimit> limits = limits(map);
-    return Settings.of(results, scene, Survey.OUTCOME).stream()
-        .map(
-            s ->
-                new MapTally(
-                    s,
-                    outcomes(scene, s),
-                    limits,
-                    results.value(scene, s, Survey.WITHIN, StabilityMatrix.COARSE),
-                    !cannot.contains(s)))
-        .sorted((a, b) -> Boolean.compare(b.played(), a.played()))
-        .toList();
-  }
-
-  private List<CellOutcome> outcomes(String scene, Setting setting) {
-    CellOutcome[] all = CellOutcome.values();
-    return series(scene, setting, Survey.OUTCOME).stream().map(i -> all[i.intValue()]).toList();
-  }
-
-  private List<CellLimit> limits(FailureMap map) {
-    CellLimit[] all = CellLimit.values();
-    return ofMap(map, Survey.LIMIT).stream().map(i -> all[i.intValue()]).toList();
-  }
-
-  /** Values of a metric that depends on the map only, not on the method. */
-  private Collection<Double> ofMap(FailureMap map, String metric) {
-    String scene = Survey.SCENE + map.name();
-    return series(scene, results.settings(scene, metric).get(0), metric);
-  }
-
-  private Collection<Double> series(String scene, Setting setting, String metric) {
-    return results.series(scene, setting, metric, Survey.CELL).values();
+        table(tallies));
   }
 
   private Side side(FailureMap map, Axis axis, String metric) {
-    return new Side(axis.label(), ofMap(map, metric).stream().map(axis.text()::apply).toList());
+    return new Side(
+        axis.label(),
+        MapTally.values(results, map, metric).stream().map(axis.text()::apply).toList());
   }
 
-  private static Board panel(MapTally tally) {
-    Setting setting = tally.setting();
+  private static Board board(MapTally tally) {
     return new Board(
-        setting.method(),
-        Metrics.shortKnob(setting),
-        StabilityWords.share(tally.count(CellOutcome.RIGHT), tally.outcomes().size()),
+        tally.setting().method(),
+        Glossary.shortKnob(tally.setting()),
+        MapTally.share(List.of(tally)),
         tally.outcomes().stream().map(CellOutcome::ordinal).toList());
   }
 
@@ -133,12 +102,11 @@ public final class StabilityFigures {
     Map<String, MapTally> best = new LinkedHashMap<>();
     tallies.stream()
         .filter(tally -> tally.played() && Settings.isDrawn(tally.setting()))
-        .forEach(tally -> best.merge(tally.setting().method(), tally, StabilityFigures::better));
+        .forEach(
+            tally ->
+                best.merge(
+                    tally.setting().method(), tally, BinaryOperator.maxBy(MapTally.BY_RIGHT)));
     return best.values();
-  }
-
-  private static MapTally better(MapTally one, MapTally other) {
-    return MapTally.BY_RIGHT.compare(other, one) > 0 ? other : one;
   }
 
   /** The classes that occur, then the dark corner; nothing in place of the others. */
@@ -148,11 +116,77 @@ public final class StabilityFigures {
       boolean occurs = boards.stream().anyMatch(b -> b.classes().contains(outcome.ordinal()));
       legend.add(occurs ? WORDS.get(outcome) : "");
     }
-    legend.add(reached(limits).isEmpty() ? "" : "nobody can be right");
+    boolean limited = limits.stream().anyMatch(limit -> limit != CellLimit.NONE);
+    legend.add(limited ? "nobody can be right" : "");
     return legend;
   }
 
-  private static List<CellLimit> reached(List<CellLimit> limits) {
-    return limits.stream().filter(limit -> limit != CellLimit.NONE).distinct().sorted().toList();
+  /** No engine is praised or blamed where something simpler does better: that is named, too. */
+  private static String title(List<MapTally> tallies) {
+    Optional<MapTally> engine = best(tallies, t -> Glossary.isEngine(t.setting()));
+    Optional<MapTally> simpler =
+        best(tallies, t -> !Glossary.isEngine(t.setting()) && Settings.isDrawn(t.setting()))
+            .filter(t -> engine.isEmpty() || MapTally.BY_RIGHT.compare(t, engine.get()) > 0);
+    return Stream.of(
+            Optional.of(ours(tallies.get(0))),
+            simpler.map(t -> t.name() + " in " + right(t)),
+            engine.map(t -> "the best engine, " + t.name() + ", in " + right(t)))
+        .flatMap(Optional::stream)
+        .collect(Collectors.joining("; "));
+  }
+
+  private static String ours(MapTally ours) {
+    boolean limited = ours.within() < ours.cells();
+    String scenes =
+        ReportNumbers.count(ours.within()) + " scenes" + (limited ? " within its limits" : "");
+    String words =
+        ours.wrongWithin() == 0
+            ? "Carom is right in all " + scenes
+            : "Carom is wrong in %s of %s"
+                .formatted(ReportNumbers.count(ours.wrongWithin()), scenes);
+    return limited // others are counted in all
+        ? "%s, and right in %s of all %s"
+            .formatted(words, MapTally.share(List.of(ours)), ReportNumbers.count(ours.cells()))
+        : words;
+  }
+
+  private static Optional<MapTally> best(List<MapTally> tallies, Predicate<MapTally> who) {
+    return tallies.stream().skip(1).filter(t -> t.played() && who.test(t)).max(MapTally.BY_RIGHT);
+  }
+
+  /** Where none is right, a coarser limit tells more. */
+  private static String right(MapTally t) {
+    String share = MapTally.share(List.of(t));
+    return t.right() == 0 && t.coarse() > 0
+        ? share + " (to 0.1 radius " + ReportNumbers.share(t.coarse(), t.cells()) + ")"
+        : share;
+  }
+
+  /** A sentence about those who have no panel, or nothing. */
+  private static String absent(List<MapTally> tallies) {
+    String names =
+        tallies.stream()
+            .filter(t -> !t.played())
+            .map(MapTally::name)
+            .collect(Collectors.joining(", "));
+    return names.isEmpty() ? "" : " " + names + " cannot play such scenes.";
+  }
+
+  /** Shares of each class, and the wrong ones within the limits, of all who can play. */
+  private static ReportTable table(List<MapTally> tallies) {
+    List<String> head = new ArrayList<>(List.of("setting"));
+    Stream.of(CellOutcome.values()).map(CellOutcome::label).forEach(head::add);
+    head.add("wrong within the limits");
+    return new ReportTable(
+        head, tallies.stream().filter(MapTally::played).map(StabilityFigures::row).toList());
+  }
+
+  private static List<String> row(MapTally tally) {
+    List<String> row = new ArrayList<>(List.of(tally.name()));
+    for (CellOutcome outcome : CellOutcome.values()) {
+      row.add(ReportNumbers.share(tally.count(outcome), tally.cells()));
+    }
+    row.add(ReportNumbers.failures(tally.wrongWithin(), tally.within()));
+    return row;
   }
 }

@@ -4,12 +4,13 @@ package dev.carom.bench.report;
 import dev.carom.bench.report.FirstScreen.Tile;
 import dev.carom.bench.results.Results;
 import dev.carom.bench.results.Setting;
-import dev.carom.bench.stability.CellOutcome;
 import dev.carom.bench.stability.FailureMap;
-import dev.carom.bench.stability.Survey;
 import java.util.ArrayList;
+import java.util.Collection;
 import java.util.Comparator;
+import java.util.LinkedHashMap;
 import java.util.List;
+import java.util.Map;
 import java.util.Optional;
 import java.util.function.Predicate;
 import java.util.stream.Collectors;
@@ -18,140 +19,110 @@ import java.util.stream.Stream;
 /** Methods by maps: in how many cells each stays within 0.001 and within 0.1 radius. */
 final class StabilityMatrix {
 
-  private static final String FINE = "0.001";
-  static final String COARSE = "0.1";
+  private final List<FailureMap> maps = new ArrayList<>();
 
-  private final Results results;
-  private final List<FailureMap> maps;
+  /** Of each setting the maps that it plays, by name. */
+  private final Map<Setting, Map<String, MapTally>> played = new LinkedHashMap<>();
 
   StabilityMatrix(Results results) {
-    this.results = results;
-    List<String> played = results.scenes(Survey.OUTCOME);
-    maps =
-        FailureMap.all(false).stream()
-            .filter(map -> played.contains(Survey.SCENE + map.name()))
-            .toList();
-  }
-
-  boolean isEmpty() {
-    return maps.isEmpty();
-  }
-
-  private List<Setting> settings() {
-    return Settings.sorted(
-        maps.stream()
-            .flatMap(map -> results.settings(scene(map), Survey.OUTCOME).stream())
-            .distinct()
-            .toList());
-  }
-
-  private static String scene(FailureMap map) {
-    return Survey.SCENE + map.name();
-  }
-
-  private int cells(FailureMap map, Setting setting) {
-    return results.series(scene(map), setting, Survey.OUTCOME, Survey.CELL).size();
-  }
-
-  /** One that has no code for the scenes of a map has no share there. */
-  private boolean plays(FailureMap map, Setting setting) {
-    return results.settings(scene(map), Survey.OUTCOME).contains(setting)
-        && !results.settings(scene(map), ReportRun.FAILURE).contains(setting);
-  }
-
-  /** NaN if it was not counted; the finer one can be told from the classes. */
-  private double within(FailureMap map, Setting setting, String limit) {
-    double counted = results.value(scene(map), setting, Survey.WITHIN, limit);
-    if (!Double.isNaN(counted) || limit.equals(COARSE)) {
-      return counted;
+    for (FailureMap map : FailureMap.all(false)) {
+      List<MapTally> tallies = MapTally.of(results, map);
+      if (!tallies.isEmpty()) {
+        maps.add(map);
+      }
+      tallies.stream()
+          .filter(MapTally::played)
+          .forEach(
+              t ->
+                  played
+                      .computeIfAbsent(t.setting(), none -> new LinkedHashMap<>())
+                      .put(map.name(), t));
     }
-    return results.series(scene(map), setting, Survey.OUTCOME, Survey.CELL).values().stream()
-        .filter(outcome -> outcome == CellOutcome.RIGHT.ordinal())
-        .count();
+  }
+
+  /** A table, if Carom played a map. */
+  List<Figure> figures() {
+    if (!played.containsKey(Metrics.CAROM)) {
+      return List.of();
+    }
+    String next =
+        best(s -> true)
+            .map(
+                s ->
+                    "; next is %s, with %s of those that it plays"
+                        .formatted(Glossary.shortName(s), share(s)))
+            .orElse("");
+    return List.of(
+        new Figure(
+            "stability",
+            "Share of scenes that are right",
+            "Carom is right in %s of the small scenes%s".formatted(share(Metrics.CAROM), next),
+            "Six maps: each of their cells is a small scene, judged against its true course. The table has the share of scenes in which no circle was ever more than 0.001 radius off, and the share for 0.1 radius. A dark corner marks scenes in which no method can promise to be right: their course multiplies the rounding of doubles beyond 0.001 radius, or impacts pile up without end.",
+            List.of(),
+            table()));
+  }
+
+  private String share(Setting setting) {
+    return MapTally.share(played.get(setting).values());
   }
 
   /** A row for each setting, a column for each map, and one for all that it plays. */
-  ReportTable table() {
+  private ReportTable table() {
     List<String> head = new ArrayList<>(List.of("right at 0.001 and at 0.1 radius"));
     maps.forEach(map -> head.add(map.heading()));
     head.add("all it plays");
-    ReportTable.Builder table = new ReportTable.Builder(head);
-    for (Setting setting : settings()) {
-      List<String> row = new ArrayList<>(List.of(Metrics.shortName(setting)));
-      maps.forEach(map -> row.add(plays(map, setting) ? share(List.of(map), setting) : "-"));
-      row.add(share(played(setting), setting));
-      table.row(row);
+    return new ReportTable(head, Settings.sorted(played.keySet()).stream().map(this::row).toList());
+  }
+
+  private List<String> row(Setting setting) {
+    Map<String, MapTally> tallies = played.get(setting);
+    List<String> row = new ArrayList<>(List.of(Glossary.shortName(setting)));
+    for (FailureMap map : maps) {
+      MapTally tally = tallies.get(map.name());
+      row.add(tally == null ? "-" : MapTally.shares(List.of(tally)));
     }
-    return table.build();
+    row.add(MapTally.shares(tallies.values()));
+    return row;
   }
 
-  private List<FailureMap> played(Setting setting) {
-    return maps.stream().filter(map -> plays(map, setting)).toList();
-  }
-
-  private String share(List<FailureMap> some, Setting setting) {
-    String coarse = percent(some, setting, COARSE);
-    return percent(some, setting, FINE) + (coarse.isEmpty() ? "" : " | " + coarse);
-  }
-
-  private double sum(List<FailureMap> some, Setting setting, String limit) {
-    return some.stream().mapToDouble(map -> within(map, setting, limit)).sum();
-  }
-
-  private int cells(List<FailureMap> some, Setting setting) {
-    return some.stream().mapToInt(map -> cells(map, setting)).sum();
-  }
-
-  private String percent(List<FailureMap> some, Setting setting, String limit) {
-    double right = sum(some, setting, limit);
-    int all = cells(some, setting);
-    return Double.isNaN(right) || all == 0 ? "" : StabilityWords.share((int) right, all);
-  }
-
-  /** The conclusion. */
-  String title() {
-    return best()
-        .map(
-            next ->
-                "%s is right in %s of the small scenes; next is %s, with %s of those that it plays"
-                    .formatted(
-                        "Carom",
-                        percent(maps, Metrics.CAROM, FINE),
-                        Metrics.shortName(next),
-                        percent(played(next), next, FINE)))
-        .orElse("Where methods are right");
-  }
-
-  private Optional<Setting> best() {
-    return best(s -> !s.equals(Metrics.CAROM));
-  }
-
+  /** Of all others the one that is right in the largest part of what it plays. */
   private Optional<Setting> best(Predicate<Setting> who) {
-    return settings().stream()
-        .filter(s -> who.test(s) && !played(s).isEmpty())
-        .max(Comparator.comparingDouble(s -> sum(played(s), s, FINE) / cells(played(s), s)));
+    return Settings.sorted(played.keySet()).stream()
+        .filter(setting -> !setting.equals(Metrics.CAROM) && who.test(setting))
+        .max(Comparator.comparingDouble(this::right));
+  }
+
+  private double right(Setting setting) {
+    Collection<MapTally> tallies = played.get(setting).values();
+    return (double) tallies.stream().mapToInt(MapTally::right).sum()
+        / tallies.stream().mapToInt(MapTally::cells).sum();
   }
 
   /** The third tile. */
   Optional<Tile> tile() {
-    if (isEmpty() || !settings().contains(Metrics.CAROM)) {
+    if (!played.containsKey(Metrics.CAROM)) {
       return Optional.empty();
     }
     String rivals =
-        Stream.of(best(), best(Metrics::isEngine), best(s -> s.method().equals("poster")))
+        Stream.of(
+                best(s -> true),
+                best(Glossary::isEngine),
+                best(s -> s.method().equals(FirstScreen.PUBLISHED)))
             .flatMap(Optional::stream)
             .distinct()
             .map(
                 s ->
-                    (Metrics.isEngine(s) ? "best engine, " : "")
-                        + Metrics.shortName(s)
+                    (Glossary.isEngine(s) ? "best engine, " : "")
+                        + Glossary.shortName(s)
                         + ": "
-                        + percent(played(s), s, FINE))
+                        + share(s))
             .collect(Collectors.joining("; "));
-    String share = percent(maps, Metrics.CAROM, FINE);
-    String what =
-        "of %s small scenes right to 0.001 radius"
-            .formatted(ReportNumbers.count(cells(maps, Metrics.CAROM)));
-    return Optional.of(new Tile("Stability", share, what, rivals));
+    int cells = played.get(Metrics.CAROM).values().stream().mapToInt(MapTally::cells).sum();
+    return Optional.of(
+        new Tile(
+            "Stability",
+            share(Metrics.CAROM),
+            "of %s small scenes right to 0.001 radius".formatted(ReportNumbers.count(cells)),
+            rivals));
   }
 }

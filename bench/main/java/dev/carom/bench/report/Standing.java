@@ -4,7 +4,10 @@ package dev.carom.bench.report;
 import dev.carom.bench.results.Results;
 import dev.carom.bench.results.Setting;
 import dev.carom.bench.results.Spread;
+import java.util.Collection;
+import java.util.LinkedHashMap;
 import java.util.List;
+import java.util.Map;
 import java.util.Optional;
 import java.util.stream.Stream;
 
@@ -12,41 +15,105 @@ import java.util.stream.Stream;
  * How one setting did in one scene.
  *
  * @param setting the method and its knob
- * @param error its worst error of one frame in radii; NaN if it failed
- * @param time of a frame: the medians of the forks
  */
-record Standing(Setting setting, double error, Spread time) {
+record Standing(Results results, String scene, Setting setting) {
 
   private static final Spread NO_TIME = new Spread(Double.NaN, Double.NaN, Double.NaN, 0, 0);
 
-  /** All settings of a scene for which there is an error or a time. */
-  static List<Standing> all(Results results, String scene) {
-    return Stream.concat(
-            results.settings(scene, Metrics.FRAME_ERROR).stream(),
-            results.settings(scene, Metrics.FRAME_TIME).stream())
-        .distinct()
-        .filter(setting -> !setting.method().equals(Metrics.NEIGHBOUR))
-        .map(setting -> of(results, scene, setting))
+  /** All settings of a scene for which one of these metrics was measured, in their order. */
+  static List<Standing> of(Results results, String scene, String... metrics) {
+    return Settings.sorted(
+            Stream.of(metrics)
+                .flatMap(metric -> results.settings(scene, metric).stream())
+                .distinct()
+                .toList())
+        .stream()
+        .map(setting -> new Standing(results, scene, setting))
         .toList();
   }
 
-  static Optional<Standing> ours(List<Standing> all) {
-    return all.stream().filter(s -> s.setting.equals(Metrics.CAROM)).findFirst();
+  /** All settings of a scene for which there is an error or a time. */
+  static List<Standing> all(Results results, String scene) {
+    return of(results, scene, Metrics.FRAME_ERROR, Metrics.FRAME_TIME);
   }
 
-  private static Standing of(Results results, String scene, Setting setting) {
-    return new Standing(
-        setting,
-        results.value(scene, setting, Metrics.FRAME_ERROR, "max"),
-        results.spread(scene, setting, Metrics.FRAME_TIME, "median").orElse(NO_TIME));
+  /**
+   * One setting of each method, the one with the least error in a scene: for charts that have no
+   * room for all. Where there is no error to go by, the last one.
+   */
+  static Collection<Standing> drawn(Results results, String scene, String metric) {
+    Map<String, Standing> finest = new LinkedHashMap<>();
+    of(results, scene, metric).stream()
+        .filter(s -> Settings.isDrawn(s.setting))
+        .forEach(s -> finest.merge(s.method(), s, (a, b) -> a.isMoreAccurateThan(b) ? a : b));
+    return finest.values();
+  }
+
+  static Optional<Standing> ours(List<Standing> all) {
+    return all.stream().filter(Standing::isOurs).findFirst();
+  }
+
+  /** Who is both faster and more accurate than Carom, and where. */
+  static List<String> better(Results results, List<String> scenes) {
+    return scenes.stream()
+        .flatMap(
+            scene -> {
+              List<Standing> all = all(results, scene);
+              return ours(all).stream()
+                  .flatMap(ours -> all.stream().filter(s -> s.beats(ours)))
+                  .map(s -> Glossary.fullName(s.setting()) + " in " + scene);
+            })
+        .toList();
+  }
+
+  boolean isOurs() {
+    return setting.equals(Metrics.CAROM);
+  }
+
+  /** Another setting in the same scene. */
+  Standing with(Setting other) {
+    return new Standing(results, scene, other);
+  }
+
+  String method() {
+    return setting.method();
+  }
+
+  /** The method in words and what stands at its dot. */
+  String name() {
+    return Glossary.shortName(setting);
+  }
+
+  /** The median over forks of one number; NaN if it failed or was not measured. */
+  double value(String metric, String stat) {
+    return results.value(scene, setting, metric, stat);
+  }
+
+  Optional<Spread> spread(String metric, String stat) {
+    return results.spread(scene, setting, metric, stat);
+  }
+
+  /** The number of a metric that has but one stat; NaN if it failed or was not measured. */
+  double only(String metric) {
+    return results.only(scene, setting, metric).map(Spread::middle).orElse(Double.NaN);
+  }
+
+  /** Its worst error of one frame in radii; NaN if it failed. */
+  double error() {
+    return value(Metrics.FRAME_ERROR, "max");
+  }
+
+  /** The time of a frame: the medians of the forks. */
+  Spread time() {
+    return spread(Metrics.FRAME_TIME, "median").orElse(NO_TIME);
   }
 
   boolean failed() {
-    return !Double.isFinite(error) || time.failed();
+    return !Double.isFinite(error()) || time().failed();
   }
 
   boolean isFasterThan(Standing other) {
-    return time.isBelow(other.time);
+    return time().isBelow(other.time());
   }
 
   /** Neither is surely faster. */
@@ -55,7 +122,7 @@ record Standing(Setting setting, double error, Spread time) {
   }
 
   boolean isMoreAccurateThan(Standing other) {
-    return error < other.error || (!Double.isNaN(error) && Double.isNaN(other.error));
+    return error() < other.error() || (!Double.isNaN(error()) && Double.isNaN(other.error()));
   }
 
   boolean beats(Standing other) {

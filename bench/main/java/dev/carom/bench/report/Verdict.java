@@ -4,8 +4,7 @@ package dev.carom.bench.report;
 import dev.carom.bench.replay.Budget;
 import dev.carom.bench.results.Results;
 import dev.carom.bench.results.Setting;
-import dev.carom.bench.results.Spread;
-import java.util.ArrayList;
+import dev.carom.bench.series.ScalePlan;
 import java.util.Comparator;
 import java.util.List;
 import java.util.Optional;
@@ -39,63 +38,37 @@ public final class Verdict {
         verdict.accuracy(),
         verdict.budget(),
         verdict.place(),
-        new ScaleGrowth(results).verdict(),
+        new ScaleFigures(results, 1e6 * ScalePlan.LIMIT_MILLIS).verdict(),
         AcceptanceLimits.sentence(results));
   }
 
-  /** Wrong answers of one setting to all queries. */
-  private record WrongAnswers(Setting setting, double wrong, double total) {}
-
   private String decisions() {
-    List<WrongAnswers> tallies = tallies();
-    Optional<WrongAnswers> ours =
-        tallies.stream().filter(t -> t.setting.equals(Metrics.CAROM)).findFirst();
-    if (ours.isEmpty()) {
+    Answers ours = Answers.ours(results);
+    if (!ours.asked()) {
       return "Decisions: not measured.";
     }
-    WrongAnswers carom = ours.get();
-    String all =
-        "Decisions: wrong answers of Carom: " + ReportNumbers.failures(carom.wrong, carom.total);
-    Optional<WrongAnswers> next =
-        tallies.stream()
-            .filter(t -> !t.setting.method().equals(Metrics.OURS) && t.total == carom.total)
-            .min(Comparator.comparingDouble(WrongAnswers::wrong));
-    if (next.isEmpty()) {
-      return all + ".";
-    }
-    String other =
-        Metrics.fullName(next.get().setting)
-            + ", with "
-            + ReportNumbers.count(next.get().wrong)
-            + ".";
-    if (next.get().wrong == carom.wrong) {
-      return all + "; as many has " + other;
-    }
-    return next.get().wrong < carom.wrong
-        ? all + "; fewer has " + other
-        : all + "; next is " + other;
+    String next =
+        Answers.all(results).stream()
+            .filter(a -> !a.setting().method().equals(Metrics.OURS) && a.total() == ours.total())
+            .min(Comparator.comparingDouble(Answers::wrong))
+            .map(
+                best ->
+                    rank(best.wrong(), ours.wrong(), "as many has", "fewer has")
+                        + rival(best.setting(), ReportNumbers.count(best.wrong())))
+            .orElse("");
+    return "Decisions: wrong answers of Carom: %s%s.".formatted(ours.text(), next);
   }
 
-  private List<WrongAnswers> tallies() {
-    List<String> classes = results.scenes(Metrics.DECISIONS);
-    return classes.stream()
-        .flatMap(scene -> results.settings(scene, Metrics.DECISIONS).stream())
-        .distinct()
-        .map(
-            setting ->
-                new WrongAnswers(
-                    setting,
-                    sum(classes, setting, Metrics.MISSED) + sum(classes, setting, Metrics.INVENTED),
-                    sum(classes, setting, Metrics.DECISIONS)))
-        .toList();
+  /** How the best of the others does against Carom, the less the better. */
+  private static String rank(double theirs, double ours, String asGood, String better) {
+    if (theirs == ours) {
+      return "; " + asGood + " ";
+    }
+    return theirs < ours ? "; " + better + " " : "; next is ";
   }
 
-  /** Over the classes that the setting was asked in. */
-  private double sum(List<String> scenes, Setting setting, String metric) {
-    return scenes.stream()
-        .flatMap(scene -> results.only(scene, setting, metric).stream())
-        .mapToDouble(Spread::middle)
-        .sum();
+  private static String rival(Setting setting, String number) {
+    return Glossary.fullName(setting) + ", with " + number;
   }
 
   private String accuracy() {
@@ -105,22 +78,20 @@ public final class Verdict {
       return "Accuracy: Carom has no error to show: "
           + (scenes.isEmpty() ? "not measured." : "it failed in a scene.");
     }
-    String all =
-        "Accuracy: in %s the worst error of one frame of Carom is %s radii"
-            .formatted(scenes(scenes.size()), ReportNumbers.error(ours));
     Optional<Setting> next =
-        settings(scenes, Metrics.FRAME_ERROR)
+        rivals(scenes)
             .filter(s -> !Double.isNaN(worstError(scenes, s)))
             .min(Comparator.comparingDouble(s -> worstError(scenes, s)));
-    if (next.isEmpty()) {
-      return all + "; all others failed in one of them.";
-    }
-    double theirs = worstError(scenes, next.get());
-    String other = Metrics.fullName(next.get()) + ", with " + ReportNumbers.error(theirs) + ".";
-    if (theirs == ours) {
-      return all + "; as accurate is " + other;
-    }
-    return all + (theirs < ours ? "; more accurate is " : "; next is ") + other;
+    String rest =
+        next.map(
+                best -> {
+                  double theirs = worstError(scenes, best);
+                  return rank(theirs, ours, "as accurate is", "more accurate is")
+                      + rival(best, ReportNumbers.error(theirs));
+                })
+            .orElse("; all others failed in one of them");
+    return "Accuracy: in %s the worst error of one frame of Carom is %s%s."
+        .formatted(scenes(scenes.size()), ReportNumbers.radii(ours), rest);
   }
 
   /** NaN if it failed, or was not measured, in one of them. */
@@ -130,80 +101,76 @@ public final class Verdict {
         .reduce(0, Math::max); // NaN if one of them is
   }
 
-  private Stream<Setting> settings(List<String> scenes, String metric) {
+  private Stream<Setting> rivals(List<String> scenes) {
     return scenes.stream()
-        .flatMap(scene -> results.settings(scene, metric).stream())
+        .flatMap(scene -> results.settings(scene, Metrics.FRAME_ERROR).stream())
         .distinct()
         .filter(s -> !s.method().equals(Metrics.OURS) && !s.method().equals(Metrics.NEIGHBOUR));
   }
 
   private String budget() {
-    String slowest = null;
-    double worst = 0;
-    List<String> scenes =
-        results.scenes(Metrics.FRAME_TIME).stream()
-            .filter(s -> results.settings(s, Metrics.FRAME_TIME).contains(Metrics.CAROM))
-            .filter(s -> results.spread(s, Metrics.CAROM, Metrics.FRAME_TIME, "worst").isPresent())
-            .toList();
-    for (String scene : scenes) {
-      double time = results.value(scene, Metrics.CAROM, Metrics.FRAME_TIME, "worst");
-      if (Double.isNaN(time)) {
-        return "Budget: Carom has no time in " + scene + ".";
-      }
-      if (time >= worst) {
-        worst = time;
-        slowest = scene;
-      }
-    }
-    if (slowest == null) {
+    List<Standing> timed = AcceptanceLimits.slowestFrames(results);
+    if (timed.isEmpty()) {
       return "Budget: not measured.";
     }
+    // A time that failed is greater than all.
+    Standing slowest = timed.stream().max(Comparator.comparingDouble(Verdict::worst)).orElseThrow();
+    double worst = worst(slowest);
+    if (Double.isNaN(worst)) {
+      return "Budget: Carom has no time in " + slowest.scene() + ".";
+    }
+    boolean met = worst <= BUDGET;
     return "Budget: %s; the slowest frame of Carom in %s takes %s (%s, median over forks), %s of the 16.67 ms of 60 FPS."
         .formatted(
-            worst <= BUDGET ? "met" : "missed",
-            scenes(scenes.size()),
+            met ? "met" : "missed",
+            scenes(timed.size()),
             ReportNumbers.time(worst),
-            slowest,
-            worst <= BUDGET
+            slowest.scene(),
+            met
                 ? "1/" + ReportNumbers.count(BUDGET / worst)
                 : ReportNumbers.ratio(worst / BUDGET) + " times");
   }
 
+  private static double worst(Standing s) {
+    return s.value(Metrics.FRAME_TIME, "worst");
+  }
+
   /** Where something is both faster and more accurate; else what comes close. */
   private String place() {
-    List<String> beaten = new ArrayList<>();
-    List<String> level = new ArrayList<>();
-    int scenes = 0;
-    int alone = 0;
-    for (String scene : results.scenes(Metrics.FRAME_ERROR)) {
-      List<Standing> all = Standing.all(results, scene);
-      Optional<Standing> ours = Standing.ours(all).filter(s -> s.time().forks() > 0);
-      if (ours.isEmpty()) {
-        continue; // nobody's frames were timed
-      }
-      scenes++;
-      Standing carom = ours.get();
-      all.stream()
-          .filter(s -> s.beats(carom))
-          .forEach(s -> beaten.add(Metrics.fullName(s.setting()) + " in " + scene));
-      all.stream()
-          .filter(s -> !s.equals(carom) && s.isLevelWith(carom) && s.isMoreAccurateThan(carom))
-          .forEach(s -> level.add(Metrics.fullName(s.setting()) + " in " + scene));
-      alone += all.stream().allMatch(s -> s.equals(carom) || carom.beats(s)) ? 1 : 0;
-    }
-    if (scenes == 0) {
+    List<Standing> ours =
+        results.scenes(Metrics.FRAME_ERROR).stream()
+            .map(scene -> new Standing(results, scene, Metrics.CAROM))
+            .filter(s -> s.time().forks() > 0) // else nobody's frames were timed
+            .toList();
+    if (ours.isEmpty()) {
       return "Place: not measured.";
     }
-    if (!beaten.isEmpty()) {
+    List<String> better = Standing.better(results, ours.stream().map(Standing::scene).toList());
+    if (!better.isEmpty()) {
       return "Place: Carom is beaten: both faster and more accurate %s %s."
-          .formatted(beaten.size() == 1 ? "is" : "are", String.join(", ", beaten));
+          .formatted(better.size() == 1 ? "is" : "are", String.join(", ", better));
     }
-    String close =
-        level.isEmpty()
-            ? ""
-            : "; more accurate, and not told apart in time: " + String.join(", ", level);
+    List<String> level =
+        ours.stream()
+            .flatMap(
+                carom ->
+                    others(carom)
+                        .filter(s -> s.isLevelWith(carom) && s.isMoreAccurateThan(carom))
+                        .map(s -> Glossary.fullName(s.setting()) + " in " + s.scene()))
+            .toList();
+    long alone = ours.stream().filter(carom -> others(carom).allMatch(carom::beats)).count();
     return "Place: in %s nothing measured is both faster and more accurate than Carom; in %d of %d it is itself faster and more accurate than all others%s."
-        .formatted(scenes(scenes), alone, scenes, close);
+        .formatted(
+            scenes(ours.size()),
+            alone,
+            ours.size(),
+            level.isEmpty()
+                ? ""
+                : "; more accurate, and not told apart in time: " + String.join(", ", level));
+  }
+
+  private Stream<Standing> others(Standing carom) {
+    return Standing.all(results, carom.scene()).stream().filter(s -> !s.isOurs());
   }
 
   private static String scenes(int n) {

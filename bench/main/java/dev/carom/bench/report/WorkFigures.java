@@ -1,47 +1,48 @@
 // SPDX-License-Identifier: Apache-2.0
 package dev.carom.bench.report;
 
-import dev.carom.bench.charts.BarChart;
-import dev.carom.bench.charts.BarChart.Bar;
 import dev.carom.bench.charts.Dot;
 import dev.carom.bench.charts.DotChart;
 import dev.carom.bench.charts.Marks;
 import dev.carom.bench.charts.Panel;
+import dev.carom.bench.charts.Picture;
 import dev.carom.bench.replay.Budget;
 import dev.carom.bench.results.Results;
-import dev.carom.bench.results.Setting;
 import java.util.ArrayList;
 import java.util.Comparator;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
-import java.util.Optional;
-import java.util.TreeMap;
-import java.util.function.Predicate;
-import java.util.stream.Collectors;
 
 /** Charts of speed against accuracy: a large one, and small ones of the other scenes. */
 final class WorkFigures {
 
-  private static final String ERROR = "worst error of one frame, in radii";
-
   /** So many of the other scenes are drawn; the table has all. */
   private static final int PANELS = 4;
 
-  /** Shorter than in the list of all methods: one line for both. */
-  private static final Map<String, String> EXPLAINED = new TreeMap<>();
-
-  static {
-    EXPLAINED.put("plain-grid", "plain doubles with a grid like Carom's");
-    EXPLAINED.put(
-        "poster", "the algorithm published then, every circle against every line, in float");
-  }
+  private static final Column[] COLUMNS = {
+    Column.SETTING,
+    Column.SCENE,
+    Column.time("median time of a frame", Metrics.FRAME_TIME, "median"),
+    Column.ratio("Carom = 1", Metrics.FRAME_TIME, "median"),
+    Column.of("99 %", Metrics.FRAME_TIME, "p99", ReportNumbers::time),
+    Column.of("worst", Metrics.FRAME_TIME, "worst", ReportNumbers::time),
+    Column.of("error: worst", Metrics.FRAME_ERROR, "max", ReportNumbers::error),
+    Column.of("99.9 %", Metrics.FRAME_ERROR, "p99.9", ReportNumbers::error),
+    Column.of("tunnelled", "tunnelled", "circles", ReportNumbers::count),
+    Column.of("outside at the end", "outside_at_end", "circles", ReportNumbers::count),
+    Column.of("penetration", "penetration", "max", ReportNumbers::error),
+    Column.of("energy", "energy_drift", "max", ReportNumbers::error),
+    Column.of("reversal", "reversal_error", "max", ReportNumbers::error),
+  };
 
   private final Results results;
+  private final QuestionFigures questions;
   private final Marks marks;
 
   WorkFigures(Results results) {
     this.results = results;
+    questions = new QuestionFigures(results);
     marks = Settings.marks(results);
   }
 
@@ -52,113 +53,96 @@ final class WorkFigures {
             .filter(scene -> standings(scene).stream().anyMatch(s -> !s.time().failed()))
             .toList();
     List<Figure> figures = new ArrayList<>();
-    timed.stream().limit(1).map(this::lead).forEach(figures::add);
-    timed.stream().limit(1).flatMap(scene -> engines(scene).stream()).forEach(figures::add);
+    if (!timed.isEmpty()) {
+      figures.add(lead(timed.get(0)));
+      figures.addAll(engines(timed.get(0)));
+    }
     if (timed.size() > 1) {
-      figures.add(multiples(timed.subList(1, timed.size())));
+      figures.add(others(timed.subList(1, timed.size())));
     }
     return figures;
   }
 
+  private List<Standing> standings(String scene) {
+    return Standing.all(results, scene);
+  }
+
   private Figure lead(String scene) {
-    List<Standing> all = standings(scene);
-    String caption =
-        "Median time of a frame against the worst error of one frame in %s. ".formatted(scene)
-            + caption(all, true);
+    String title = title("Nothing measured is both faster and more accurate than Carom", scene);
     List<Panel> panels =
         new ArrayList<>(
-            chart(Map.of("A frame" + Scenes.size(scene), dots(scene)), caption)
+            chart(title, Map.of("A frame" + Scenes.size(scene), dots(scene)))
                 .panels(DotChart.TALL));
-    new QueryFigures(results).decisions().ifPresent(panels::add);
+    questions.decisions().ifPresent(panels::add);
     return new Figure(
         "work-" + scene,
         "Speed against accuracy",
-        title(scene, all),
+        title,
         "Lower is faster, further left is more accurate. In the shaded area a method would be both faster and more accurate than Carom."
-            + new QueryFigures(results).price()
-            + explained(),
-        caption,
+            + questions.price()
+            + " plain + grid: plain doubles with a grid like Carom's; published 2010: the algorithm published then, every circle against every line, in float.",
         panels,
         table(List.of(scene)));
   }
 
-  /** What the names of those at the dots mean that do not say it: a sentence, or nothing. */
-  private String explained() {
-    List<String> told = new ArrayList<>();
-    EXPLAINED.forEach(
-        (method, what) -> {
-          if (results.methods().contains(method)) {
-            told.add(Glossary.name(method) + ": " + what);
-          }
-        });
-    return told.isEmpty() ? "" : " " + String.join("; ", told) + ".";
-  }
-
   /** Carom and the engines at their best settings, as bars; none if no engine was timed. */
-  private Optional<Figure> engines(String scene) {
+  private List<Figure> engines(String scene) {
     List<Standing> timed =
         standings(scene).stream()
-            .filter(s -> !s.time().failed() && !Metrics.isDefault(s.setting()))
-            .filter(s -> s.setting().equals(Metrics.CAROM) || isTuned(s))
-            .sorted(Comparator.comparingDouble(s -> s.time().middle()))
+            .filter(s -> !s.time().failed() && !Glossary.isDefault(s.setting()))
+            .filter(s -> s.isOurs() || Glossary.isEngine(s.setting()))
+            .sorted(Comparator.comparingDouble(WorkFigures::middle))
             .toList();
-    Optional<Standing> ours = Standing.ours(timed);
-    if (ours.isEmpty() || timed.size() < 2) {
-      return Optional.empty();
+    if (Standing.ours(timed).isEmpty() || timed.size() < 2) {
+      return List.of();
     }
-    List<String> times =
-        timed.stream()
-            .filter(s -> !s.equals(ours.get()))
-            .map(s -> ReportNumbers.count(s.time().middle() / ours.get().time().middle()))
-            .toList();
-    String title =
-        "Carom is %s times as fast as the engines"
-            .formatted(
-                times.size() == 1
-                    ? times.get(0)
-                    : times.get(0) + " to " + times.get(times.size() - 1));
-    List<Bar> bars =
-        timed.stream()
-            .map(
-                s ->
-                    new Bar(
-                        Glossary.name(s.setting().method()),
-                        marks.color(s.setting().method()),
-                        s.time().middle(),
-                        ReportNumbers.time(s.time().middle())))
-            .toList();
+    double ours = middle(Standing.ours(timed).get());
+    String times =
+        ReportNumbers.range(
+            timed.stream().filter(s -> !s.isOurs()).mapToDouble(s -> middle(s) / ours),
+            ReportNumbers::count);
+    String title = "Carom is %s times as fast as the engines".formatted(times);
     String note =
         "The median frame of this one scene%s; the circles do not collide with each other. Each engine has the best settings found.";
-    return Optional.of(
+    Picture bars =
+        Figure.bars(
+            title,
+            timed,
+            s -> Glossary.name(s.method()),
+            marks,
+            WorkFigures::middle,
+            ReportNumbers::time);
+    return List.of(
         new Figure(
             "engines",
             "Carom and three engines",
             title,
             note.formatted(Scenes.size(scene)),
-            title + ".",
-            List.of(new Panel("", new BarChart(title, bars).picture())),
-            table(List.of(scene))));
+            List.of(new Panel("", bars)),
+            ReportTable.NONE));
   }
 
-  private static boolean isTuned(Standing s) {
-    return Metrics.shortKnob(s.setting()).equals("tuned");
+  private static double middle(Standing s) {
+    return s.time().middle();
   }
 
-  private DotChart chart(Map<String, List<Dot>> panels, String caption) {
+  private DotChart chart(String title, Map<String, List<Dot>> panels) {
     return new DotChart(
-        caption, marks, List.of(ERROR, "median time of a frame"), 1e6 * Budget.MILLIS, panels);
+        title,
+        marks,
+        List.of("worst error of one frame, in radii", "median time of a frame"),
+        1e6 * Budget.MILLIS,
+        panels);
   }
 
   /** One for each method that is drawn, at the setting that errs least. */
   private List<Dot> dots(String scene) {
-    List<Setting> finest = Settings.finest(results, scene, Metrics.FRAME_ERROR);
-    return standings(scene).stream()
-        .filter(s -> finest.contains(s.setting()) && Settings.isDrawn(s.setting()))
+    return Standing.drawn(results, scene, Metrics.FRAME_ERROR).stream()
         .map(
             s ->
                 new Dot(
-                    s.setting().method(),
-                    Metrics.shortKnob(s.setting()),
+                    s.method(),
+                    Glossary.shortKnob(s.setting()),
                     s.error(),
                     s.time().low(),
                     s.time().middle(),
@@ -166,192 +150,31 @@ final class WorkFigures {
         .toList();
   }
 
-  private Figure multiples(List<String> scenes) {
+  private Figure others(List<String> scenes) {
     Map<String, List<Dot>> panels = new LinkedHashMap<>();
     scenes.stream().limit(PANELS).forEach(scene -> panels.put(Scenes.words(scene), dots(scene)));
-    List<String> beaten =
-        scenes.stream()
-            .flatMap(
-                scene -> {
-                  List<Standing> all = standings(scene);
-                  return Standing.ours(all).stream()
-                      .flatMap(ours -> all.stream().filter(s -> s.beats(ours)))
-                      .map(s -> name(s) + " in " + scene);
-                })
-            .toList();
     String title =
-        beaten.isEmpty()
-            ? "In the other scenes, too, nothing measured is both faster and more accurate"
-            : "Both faster and more accurate than Carom: " + String.join(", ", beaten);
-    String caption =
-        scenes.stream()
-            .map(scene -> "Scene %s: %s".formatted(scene, caption(standings(scene), false)))
-            .collect(Collectors.joining(" "));
+        title(
+            "In the other scenes, too, nothing measured is both faster and more accurate",
+            scenes.toArray(String[]::new));
     return new Figure(
         "work",
         "Speed against accuracy in other scenes",
         title,
         "The same chart for other scenes of 100 circles. Lower is faster, further left is more accurate.",
-        ("Median time of a frame against the worst error of one frame. " + caption).strip(),
-        chart(panels, "Median time of a frame against the worst error of one frame.")
-            .panels(DotChart.SMALL),
+        chart(title, panels).panels(DotChart.SMALL),
         table(scenes));
   }
 
-  private List<Standing> standings(String scene) {
-    List<Standing> all = Standing.all(results, scene);
-    List<Setting> order = Settings.sorted(all.stream().map(Standing::setting).toList());
-    return order.stream()
-        .map(
-            setting ->
-                all.stream().filter(s -> s.setting().equals(setting)).findFirst().orElseThrow())
-        .toList();
-  }
-
-  private static String title(String scene, List<Standing> all) {
-    Optional<Standing> ours = Standing.ours(all);
-    if (ours.isEmpty()) {
-      return "Speed and accuracy in " + scene;
-    }
-    List<Standing> beat = all.stream().filter(s -> s.beats(ours.get())).toList();
-    return beat.isEmpty()
-        ? "Nothing measured is both faster and more accurate than Carom"
-        : "Both faster and more accurate than Carom: " + names(beat);
-  }
-
-  private static String caption(List<Standing> all, boolean settings) {
-    StringBuilder text = new StringBuilder();
-    Standing.ours(all)
-        .ifPresent(
-            ours -> {
-              text.append(
-                  "Carom: %s, %s radii. "
-                      .formatted(
-                          ReportNumbers.time(ours.time().middle()),
-                          ReportNumbers.error(ours.error())));
-              tell(text, "Faster than Carom", all, s -> s.isFasterThan(ours));
-              tell(text, "More accurate than Carom", all, s -> s.isMoreAccurateThan(ours));
-              tell(
-                  text,
-                  "Not told apart from it in time",
-                  all,
-                  s -> !s.equals(ours) && s.isLevelWith(ours));
-            });
-    tell(text, "Failed", all, Standing::failed);
-    return text.append(settings ? peers(all) : worse(all)).toString().strip();
-  }
-
-  private static void tell(
-      StringBuilder text, String what, List<Standing> all, Predicate<Standing> who) {
-    List<Standing> found = all.stream().filter(who).toList();
-    text.append(what).append(": ").append(found.isEmpty() ? "none" : names(found)).append(". ");
-  }
-
-  private static String names(List<Standing> found) {
-    return found.stream().map(WorkFigures::numbers).collect(Collectors.joining(", "));
-  }
-
-  private static String numbers(Standing s) {
-    String time = ReportNumbers.time(s.time().middle());
-    String error = Double.isNaN(s.error()) ? "" : ", " + ReportNumbers.error(s.error()) + " radii";
-    return "%s (%s%s)".formatted(name(s), time, error);
-  }
-
-  private static String name(Standing s) {
-    return Metrics.shortName(s.setting());
-  }
-
-  /** The whole setting of a tuned peer, and whether it errs more than at its defaults. */
-  private static String peers(List<Standing> all) {
-    String tuned =
-        all.stream()
-            .filter(WorkFigures::isTuned)
-            .map(s -> name(s) + ": " + s.setting().value() + errsMore(s, all))
-            .collect(Collectors.joining("; "));
-    return tuned.isEmpty() ? "" : "Engines: " + tuned + ".";
-  }
-
-  private static String errsMore(Standing tuned, List<Standing> all) {
-    return isWorse(tuned, all)
-        ? " (in this scene its worst error is greater than at its defaults)"
-        : "";
-  }
-
-  private static boolean isWorse(Standing tuned, List<Standing> all) {
-    return all.stream()
-        .filter(s -> s.setting().method().equals(tuned.setting().method()))
-        .filter(s -> Metrics.isDefault(s.setting()))
-        .anyMatch(s -> s.isMoreAccurateThan(tuned));
-  }
-
-  /** The tuned peers that err more than at their defaults. */
-  private static String worse(List<Standing> all) {
-    String names =
-        all.stream()
-            .filter(s -> isTuned(s) && isWorse(s, all))
-            .map(WorkFigures::name)
-            .collect(Collectors.joining(", "));
-    return names.isEmpty() ? "" : "Worst error greater than at its defaults: " + names + ".";
+  private String title(String unbeaten, String... scenes) {
+    List<String> better = Standing.better(results, List.of(scenes));
+    return better.isEmpty()
+        ? unbeaten
+        : "Both faster and more accurate than Carom: " + String.join(", ", better);
   }
 
   private ReportTable table(List<String> scenes) {
-    ReportTable.Builder table =
-        new ReportTable.Builder(
-            "setting",
-            "scene",
-            "median time of a frame",
-            "worst frame",
-            "error: worst",
-            "99.9 %",
-            "median",
-            "pair tests",
-            "roots",
-            "fallbacks",
-            "impacts",
-            "tunnelled",
-            "escaped",
-            "outside at the end",
-            "penetration",
-            "energy",
-            "reversal");
-    for (String scene : scenes) {
-      standings(scene).forEach(s -> row(table, scene, s));
-    }
-    return table.build();
-  }
-
-  private void row(ReportTable.Builder table, String scene, Standing s) {
-    table.row(
-        Metrics.fullName(s.setting()),
-        scene,
-        ReportNumbers.spread(s.time()),
-        ReportNumbers.time(results.value(scene, s.setting(), Metrics.FRAME_TIME, "worst")),
-        ReportNumbers.error(s.error()),
-        stat(scene, s, Metrics.FRAME_ERROR, "p99.9"),
-        stat(scene, s, Metrics.FRAME_ERROR, "median"),
-        only(scene, s, Metrics.PAIR_TESTS),
-        only(scene, s, "roots"),
-        only(scene, s, "fallbacks"),
-        only(scene, s, "impacts"),
-        only(scene, s, "tunnelled"),
-        only(scene, s, "escaped"),
-        only(scene, s, "outside_at_end"),
-        stat(scene, s, "penetration", "max"),
-        stat(scene, s, "energy_drift", "max"),
-        stat(scene, s, "reversal_error", "max"));
-  }
-
-  private String stat(String scene, Standing s, String metric, String stat) {
-    return results
-        .spread(scene, s.setting(), metric, stat)
-        .map(spread -> ReportNumbers.error(spread.middle()))
-        .orElse("");
-  }
-
-  private String only(String scene, Standing s, String metric) {
-    return results
-        .only(scene, s.setting(), metric)
-        .map(spread -> spread.failed() ? "not told" : ReportNumbers.ratio(spread.middle()))
-        .orElse("");
+    return Column.table(
+        scenes.stream().flatMap(scene -> standings(scene).stream()).toList(), COLUMNS);
   }
 }

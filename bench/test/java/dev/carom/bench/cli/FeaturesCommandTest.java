@@ -39,7 +39,7 @@ class FeaturesCommandTest {
           .isNotEqualTo(value(rows, pair[0], "feature_impacts"));
       assertThat(value(rows, pair[1], "feature_time")).as(pair[1]).isPositive();
     }
-    assertThat(run.out()).containsPattern("10,000 among 10,000, with gravity +.* not measured");
+    assertThat(run.out()).containsPattern("10,000 among 10,000, with gravity +.* -");
     assertThat(value(rows, "lines", "feature_memory"))
         .isLessThan(value(rows, "recording", "feature_memory"))
         .isLessThan(value(rows, "uncertainty", "feature_memory"));

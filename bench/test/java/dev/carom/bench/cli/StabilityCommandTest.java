@@ -27,9 +27,9 @@ class StabilityCommandTest {
     assertThat(run.out())
         .startsWith("Where methods fail: ratio of two masses and restitution")
         .containsPattern("Carom +100 % +0 % +0 % +0 % +0 % +0 % +0 of 25 .below 12 % at 95 %.")
-        .containsPattern("published 2010 +- +- +- +- +- +- +cannot play such scenes")
+        .doesNotContain("published 2010 ")
         .containsPattern("dyn4j defaults +0 %")
-        .contains("Wrong cells of Carom, by ratio of two masses");
+        .contains("Carom is right in all 25 scenes");
     assertThat(folder.resolve("new/fails-mass.png")).isNotEmptyFile();
     assertThat(folder.resolve("new/fails-mass.svg")).isNotEmptyFile();
     assertThat(ResultsCsv.read(folder.resolve("new/stability.csv")))

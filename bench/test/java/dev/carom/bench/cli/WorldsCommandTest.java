@@ -3,7 +3,7 @@ package dev.carom.bench.cli;
 
 import static org.assertj.core.api.Assertions.assertThat;
 
-import dev.carom.bench.report.WorldsFigures;
+import dev.carom.bench.report.WorldsTable;
 import dev.carom.bench.results.Metadata;
 import dev.carom.bench.results.Results;
 import dev.carom.bench.results.ResultsJson;
@@ -45,15 +45,13 @@ class WorldsCommandTest {
   }
 
   @Test
-  void theChartComparesWithOneThread() {
+  void theTableComparesWithOneThread() {
     Metadata origin = new Metadata("", 1, "", "", "", "", Map.of(), Map.of(), "", true);
     List<Row> rows = List.of(row("threads=4", 300), row("threads=1", 100), row("threads=2", 180));
-    WorldsFigures figures = new WorldsFigures(new Results(origin, rows));
 
-    assertThat(figures.figures())
-        .singleElement()
-        .satisfies(figure -> assertThat(figure.title()).contains("3 times", "4 threads"));
-    assertThat(new WorldsFigures(new Results(origin, List.of())).figures()).isEmpty();
+    assertThat(WorldsTable.of(new Results(origin, rows)).rows())
+        .extracting(row -> row.get(0) + ": " + row.get(4))
+        .containsExactly("one thread: 1", "2 threads: 1.8", "4 threads: 3");
   }
 
   private static Row row(String knob, double value) {

@@ -48,9 +48,6 @@ class ReadmeFiguresTest {
         "error:dyn4j     | 0.03",
         "published       | 760",
         "wrong           | 0 of 30,000",
-        "worst:error     | 3.0e-16",
-        "worst:frame     | 3.12 µs",
-        "budget          | 1/5,342",
         "machine         | a processor, 2 cores; a jdk",
         "commit          | 0123456789",
         "date            | 2026-01-02"

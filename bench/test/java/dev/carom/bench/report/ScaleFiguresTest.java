@@ -57,11 +57,13 @@ class ScaleFiguresTest {
 
   @Test
   void theReportShowsItAndFitsTheGrowth() {
-    assertThat(figure().caption())
-        .startsWith("Time of a frame, of an impact and of a circle against")
-        .contains("alone: Carom, the time of a frame grows with the circles to the power 1.00")
-        .contains("alone: Carom, the time of an impact grows with the circles to the power 0.00")
+    assertThat(new ScaleFigures(sample().results(), 1e9).told())
+        .anyMatch(
+            told ->
+                told.startsWith(
+                    "alone: Carom, the time of a frame grows with the circles to the power 1.00"))
         .endsWith("A world of 102,400 circles and lines takes 120 bytes a circle and 30 a line.");
+    assertThat(figure().title()).startsWith("At 60 frames a second Carom moves over 3,600 circles");
     assertThat(new String(figure().picture().svg(), StandardCharsets.UTF_8))
         .contains(">Colliding circles<", ">number of circles<", ">60 FPS<", ">&gt; 1 s<");
   }
@@ -72,7 +74,7 @@ class ScaleFiguresTest {
         figure().table().rows().stream().filter(row -> row.get(2).equals("slow")).toList();
     assertThat(slow).hasSize(3);
     assertThat(slow.get(1)).startsWith("alone", "400", "slow", "163 ms");
-    assertThat(slow.get(2)).startsWith("alone", "900", "slow", "over 1 s", "-", "-", "-", "-");
+    assertThat(slow.get(2)).startsWith("alone", "900", "slow", "over 1 s");
   }
 
   @Test

@@ -85,11 +85,7 @@ class StabilityFiguresTest {
     outcomes("overlap", CellOutcome.ESCAPED);
     outcomes("poster", CellOutcome.RIGHT);
 
-    assertThat(figure().caption())
-        .isEqualTo(
-            "Wrong cells of Carom, by gap between two lines and speed: 0 of 6 (below 50 % at 95 %);"
-                + " of all 6 cells it is right in 100 %, of the others published 2010 in most, 100 %, and"
-                + " overlap test in fewest, 83.3 %.");
+    assertThat(figure().table().rows().get(0)).endsWith("0 of 6 (below 50 % at 95 %)");
     assertThat(figure().picture().title())
         .startsWith("Carom is right in all 6 scenes; published 2010 in 100 %. A ball");
     assertThat(figure().id()).isEqualTo("fails-gap");
@@ -100,8 +96,7 @@ class StabilityFiguresTest {
     limits(CellLimit.NONE);
     outcomes("carom", CellOutcome.FAR_OFF);
 
-    assertThat(figure().caption())
-        .isEqualTo("Wrong cells of Carom, by gap between two lines and speed: 1 of 6.");
+    assertThat(figure().table().rows().get(0)).endsWith("1 of 6");
     assertThat(figure().picture().title()).startsWith("Carom is wrong in 1 of 6 scenes. ");
   }
 
@@ -111,13 +106,9 @@ class StabilityFiguresTest {
     outcomes("carom", CellOutcome.DRIFTED);
     outcomes("overlap", CellOutcome.ESCAPED);
 
-    assertThat(figure().caption())
+    assertThat(figure().title())
         .isEqualTo(
-            "Wrong cells of Carom within its limits, by gap between two lines and speed: 0 of 5"
-                + " (below 60 % at 95 %); in 1 more, where impacts without end pile up in finite"
-                + " time, it is right in 0; of all 6 cells it is right in 83.3 %, each of the others"
-                + " in 83.3 %.");
-    assertThat(figure().picture().title()).contains("within its limits");
+            "Carom is right in all 5 scenes within its limits, and right in 83.3 % of all 6");
     assertThat(svg()).contains(">nobody can be right<");
   }
 
@@ -132,11 +123,9 @@ class StabilityFiguresTest {
     outcomes("overlap", CellOutcome.NO_ANSWER);
     rows.add(new Row("stability:gap", "overlap", "", "failure", "why", Double.NaN, "1", 1, -1));
 
-    assertThat(figure().caption()).endsWith("; such scenes cannot be played by overlap test.");
     assertThat(figure().picture().title()).endsWith(" overlap test cannot play such scenes.");
     assertThat(svg()).contains(">Carom<").doesNotContain(">overlap test<");
-    assertThat(figure().table().rows().get(1))
-        .containsExactly("overlap test", "-", "-", "-", "-", "-", "-", "cannot play such scenes");
+    assertThat(figure().table().rows()).hasSize(1);
   }
 
   @Test

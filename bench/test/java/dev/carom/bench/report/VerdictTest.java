@@ -20,7 +20,7 @@ class VerdictTest {
                 + " textbook double, with 99.",
             "Accuracy: in 2 scenes the worst error of one frame of Carom is 3.0e-16 radii; next is"
                 + " exact, with 4.0e-16.",
-            "Budget: met; the slowest frame of Carom in 2 scenes takes 3.12 µs (fast-1, median over"
+            "Budget: met; the slowest frame of Carom in 2 scenes takes 3.12 µs (base-1, median over"
                 + " forks), 1/5,342 of the 16.67 ms of 60 FPS.",
             "Place: in 2 scenes nothing measured is both faster and more accurate than Carom; in 2"
                 + " of 2 it is itself faster and more accurate than all others.",

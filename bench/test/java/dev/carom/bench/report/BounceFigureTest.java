@@ -7,7 +7,7 @@ import java.nio.charset.StandardCharsets;
 import java.util.List;
 import org.junit.jupiter.api.Test;
 
-class BounceFiguresTest {
+class BounceFigureTest {
 
   private static Sample sample() {
     Sample sample = Sample.complete();
@@ -25,19 +25,16 @@ class BounceFiguresTest {
 
   @Test
   void everyMethodIsALineAndEverySettingARow() {
-    List<Figure> figures = new BounceFigures(sample().results()).figures();
+    List<Figure> figures = BounceFigure.of(sample().results());
     assertThat(figures).hasSize(1);
     Figure figure = figures.get(0);
     assertThat(figure.title())
         .isEqualTo("After 100 bounces the energy of Carom's ball is off by at most 2.0e-16");
-    assertThat(figure.caption())
-        .endsWith(
-            "Carom 2.0e-16 after 100, dyn4j defaults 0.1 after 100, dyn4j tuned 0.001 after 100.");
     assertThat(figure.table().rows())
         .containsExactly(
-            List.of("Carom", "100", "2.0e-16", "none"),
-            List.of("dyn4j defaults", "100", "0.1", "100"),
-            List.of("dyn4j tuned", "100", "0.001", "none"));
+            List.of("Carom", "100", "2.0e-14 %"),
+            List.of("dyn4j defaults", "100", "10 %"),
+            List.of("dyn4j tuned", "100", "0.1 %"));
     assertThat(new String(figure.picture().svg(), StandardCharsets.UTF_8))
         .contains(">number of bounces<", ">0<", ">tuned<")
         .doesNotContain(">defaults<");
@@ -45,8 +42,8 @@ class BounceFiguresTest {
 
   /** Results from before there was gravity have no such part. */
   @Test
-  void withoutThePartThePageLeavesItOut() throws Exception {
-    assertThat(new BounceFigures(Sample.complete().results()).figures()).isEmpty();
+  void withoutThePartThePageLeavesItOut() {
+    assertThat(BounceFigure.of(Sample.complete().results())).isEmpty();
     String page = Page.of(Sample.complete().results(), Report.figures(Sample.complete().results()));
     assertThat(page).doesNotContain("id=\"bounce\"");
     String with = Page.of(sample().results(), Report.figures(sample().results()));

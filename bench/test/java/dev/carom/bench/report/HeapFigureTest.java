@@ -6,7 +6,7 @@ import static org.assertj.core.api.Assertions.assertThat;
 import java.nio.charset.StandardCharsets;
 import org.junit.jupiter.api.Test;
 
-class ContactFiguresTest {
+class HeapFigureTest {
 
   private static Sample sample() {
     Sample sample = Sample.complete();
@@ -45,11 +45,11 @@ class ContactFiguresTest {
 
   /** Most frames of a heap are at rest: medians would compare frames in which nothing moves. */
   @Test
-  void theTableOfRatiosHasTheMeansOfAHeapAsItsChart() {
-    ReportTable ratios = Ratios.of(sample().results());
-    int heap = ratios.head().indexOf("heap, means");
+  void theRatiosAreThoseOfMeansAsTheChart() {
+    ReportTable table = HeapFigure.of(sample().results()).get(0).table();
+    int ratio = table.head().indexOf("Carom = 1");
 
-    assertThat(ratios.rows().stream().map(row -> row.get(heap)))
+    assertThat(table.rows().stream().map(row -> row.get(ratio)))
         .anyMatch(cell -> cell.startsWith("0.0667 (0.0667"))
         .anyMatch(cell -> cell.startsWith("8.89 (8.89"));
   }
