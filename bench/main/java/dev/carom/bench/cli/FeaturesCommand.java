@@ -83,8 +83,7 @@ final class FeaturesCommand extends SeriesCommand {
     if (heaps != null) {
       return HeapsTable.of(results).text();
     }
-    FeatureFigures figures = new FeatureFigures(results);
-    return figures.table().text() + "\n" + figures.uncertainty() + "\n";
+    return new FeatureFigures(results).table().text();
   }
 
   @Override

@@ -4,6 +4,7 @@ package dev.carom.bench.cli;
 import dev.carom.bench.report.Figure;
 import dev.carom.bench.report.Report;
 import dev.carom.bench.report.StabilityFigures;
+import dev.carom.bench.report.StabilityMatrix;
 import dev.carom.bench.results.Results;
 import dev.carom.bench.results.Row;
 import dev.carom.bench.stability.FailureMap;
@@ -69,7 +70,9 @@ final class StabilityCommand implements Callable<Integer> {
     }
     Results results = files.write(Map.of(), quick, rows);
     List<Figure> figures = new StabilityFigures(results).figures();
-    figures.forEach(this::print);
+    PrintWriter out = spec.commandLine().getOut();
+    out.print(new StabilityMatrix(results).table().text());
+    out.flush();
     if (pictures != null) {
       for (Figure figure : figures) {
         Report.writePictures(figure, pictures);
@@ -92,11 +95,5 @@ final class StabilityCommand implements Callable<Integer> {
       }
     }
     return all.stream().filter(map -> names.contains(map.name())).toList();
-  }
-
-  private void print(Figure figure) {
-    PrintWriter out = spec.commandLine().getOut();
-    out.printf("%s%n%s%s.%n%n", figure.heading(), figure.table().text(), figure.title());
-    out.flush();
   }
 }

@@ -16,6 +16,7 @@ import java.util.function.DoubleFunction;
 import java.util.function.DoubleUnaryOperator;
 import java.util.function.Function;
 import java.util.stream.Collectors;
+import java.util.stream.Stream;
 
 /** Lines of charts: along a series, or along scenes of growing size. */
 final class Curves {
@@ -89,6 +90,22 @@ final class Curves {
         : Optional.of(Growth.of(Arrays.copyOf(curve.x(), n), Arrays.copyOf(curve.middle(), n)));
   }
 
+  /**
+   * How lines grow: a sentence for each that has enough numbers.
+   *
+   * @param size the number that they grow with
+   */
+  static Stream<String> growth(String size, List<Curve> curves) {
+    return curves.stream()
+        .flatMap(
+            curve ->
+                growth(curve).stream()
+                    .map(
+                        fit ->
+                            "The time of %s grows with the number of %s %s."
+                                .formatted(Glossary.name(curve.method()), size, power(fit))));
+  }
+
   static String power(Growth fit) {
     return String.format(
         Locale.ROOT,
@@ -105,10 +122,7 @@ final class Curves {
    * @param head titles of the first column, the method, the place, the middle, and the two ends
    */
   static ReportTable table(
-      Map<String, List<Curve>> lines,
-      List<String> head,
-      DoubleFunction<String> place,
-      DoubleFunction<String> number) {
+      Map<String, List<Curve>> lines, List<String> head, DoubleFunction<String> number) {
     List<List<String>> rows = new ArrayList<>();
     lines.forEach(
         (name, curves) -> {
@@ -117,7 +131,7 @@ final class Curves {
               rows.add(
                   List.of(
                       name,
-                      place.apply(curve.x()[i]),
+                      ReportNumbers.count(curve.x()[i]),
                       Glossary.name(curve.method()),
                       number.apply(curve.middle()[i]),
                       number.apply(curve.low()[i]),

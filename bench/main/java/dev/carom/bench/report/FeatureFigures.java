@@ -70,14 +70,7 @@ public final class FeatureFigures {
             Settings.marks(results),
             FeatureFigures::time,
             ReportNumbers::time);
-    return List.of(
-        new Figure(
-            "features",
-            "No more than a scene needs",
-            title,
-            "100 circles, by Carom: the mean of 600 frames, to which the making of the world adds its share. A scene pays only for what it uses.",
-            List.of(new Panel("", bars)),
-            table()));
+    return List.of(Figure.of("features", title, List.of(new Panel("", bars)), table()));
   }
 
   /** The numbers: a row for each use. */
@@ -98,11 +91,5 @@ public final class FeatureFigures {
   private static String impact(Standing s) {
     double impacts = s.value(Features.IMPACTS, "mean");
     return impacts > 0 ? ReportNumbers.time(time(s) / impacts) : "-";
-  }
-
-  /** What an {@link dev.carom.Uncertainty} costs: a sentence. */
-  public String uncertainty() {
-    return "To bound the errors of 100 circles among 100 lines takes %s of a frame."
-        .formatted(ReportNumbers.ratio(time(use("uncertainty")) / time(use("lines")) - 1));
   }
 }

@@ -9,6 +9,7 @@ import dev.carom.bench.charts.Picture;
 import dev.carom.bench.charts.Sheet;
 import java.util.Collection;
 import java.util.List;
+import java.util.Map;
 import java.util.function.DoubleFunction;
 import java.util.function.Function;
 import java.util.function.ToDoubleFunction;
@@ -26,12 +27,28 @@ import java.util.function.ToDoubleFunction;
 public record Figure(
     String id, String heading, String title, String note, List<Panel> panels, ReportTable table) {
 
+  private static final Map<String, List<String>> TEXTS = Texts.table("figures.txt");
+  private static final String BREAK = "\n";
+
   /** What stands behind a factor. */
   static final String TIMES = " x";
 
   /** Keeps a copy. */
   public Figure {
     panels = List.copyOf(panels);
+  }
+
+  /**
+   * A figure whose heading and note are kept as texts, by its id, or by how that begins.
+   *
+   * @param words what they leave open
+   */
+  static Figure of(
+      String id, String title, List<Panel> panels, ReportTable table, Object... words) {
+    List<String> texts =
+        TEXTS.containsKey(id) ? TEXTS.get(id) : TEXTS.get(id.substring(0, id.indexOf('-') + 1));
+    String[] filled = String.join(BREAK, texts).formatted(words).split(BREAK, -1);
+    return new Figure(id, filled[0], title, filled[1], panels, table);
   }
 
   /** All of it but the table, on one sheet. */

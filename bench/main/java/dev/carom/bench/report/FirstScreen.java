@@ -23,7 +23,7 @@ final class FirstScreen {
   record Tile(String name, String value, String what, String rival) {}
 
   static final String PUBLISHED = "poster";
-  private static final String ENGINE = "gdx-box2d";
+  static final String ENGINE = "gdx-box2d";
 
   /** Errors up to so many times ours count as accurate as ours. */
   private static final double AS_ACCURATE = 10;

@@ -9,10 +9,6 @@ import dev.carom.bench.results.Results;
 import dev.carom.bench.results.Setting;
 import dev.carom.bench.stability.FailureMap;
 import java.util.List;
-import java.util.Map;
-import java.util.TreeMap;
-import java.util.regex.Matcher;
-import java.util.regex.Pattern;
 import java.util.stream.Collectors;
 import java.util.stream.Stream;
 
@@ -21,9 +17,6 @@ import java.util.stream.Stream;
  * and its colours follow the reader's choice of light or dark.
  */
 final class Page {
-
-  /** A word, and for figures their ids, or how these begin. */
-  private static final Pattern SLOT = Pattern.compile("\\{\\{([a-z-]+) ?([a-z -]*)}}");
 
   private final InlineSvg pictures = new InlineSvg();
   private final Results results;
@@ -35,9 +28,7 @@ final class Page {
   }
 
   static String of(Results results, List<Figure> figures) {
-    Page page = new Page(results, figures);
-    return SLOT.matcher(Texts.read("page.html"))
-        .replaceAll(slot -> Matcher.quoteReplacement(page.filled(slot.group(1), slot.group(2))));
+    return Template.fill("page.html", new Page(results, figures)::filled);
   }
 
   private String filled(String slot, String ids) {
@@ -45,7 +36,7 @@ final class Page {
       case "css" -> Texts.read("report.css");
       case "sentence" -> text(new FirstScreen(results).sentence());
       case "tiles" -> joined(new FirstScreen(results).tiles().stream().map(Page::tile));
-      case "figures" -> joined(Stream.of(ids.split(" ")).flatMap(this::named).map(this::figure));
+      case "figures" -> joined(Template.named(ids, figures).map(this::figure));
       case "scenes" -> scenes();
       case "methods" -> methods();
       case "run" -> run();
@@ -53,8 +44,8 @@ final class Page {
       case "shortcomings" -> items(Shortcomings.of(results));
       case "limits" -> text(AcceptanceLimits.sentence(results));
       case "verdict" -> items(Verdict.of(results));
-      case "all-limits" -> limits();
-      case "origin" -> origin();
+      case "all-limits" -> table(AcceptanceLimits.table(results), "Limits, and whether they hold");
+      case "failures" -> items(failures());
       case "styles" -> pictures.styles();
       default -> throw new IllegalStateException("the page has a slot " + slot);
     };
@@ -71,13 +62,6 @@ final class Page {
   private static String tile(FirstScreen.Tile tile) {
     return "<div class=\"tile\"><b>%s</b><span class=\"value\">%s</span><span>%s</span><span class=\"quiet\">%s</span></div>"
         .formatted(text(tile.name()), text(tile.value()), text(tile.what()), text(tile.rival()));
-  }
-
-  /** The figures of an id, or whose ids begin so if it ends with a hyphen. */
-  private Stream<Figure> named(String id) {
-    return figures.stream()
-        .filter(
-            figure -> figure.id().equals(id) || (id.endsWith("-") && figure.id().startsWith(id)));
   }
 
   private String figure(Figure figure) {
@@ -184,18 +168,18 @@ final class Page {
   }
 
   private String scenes() {
-    List<String> head =
-        List.of("", "scene", "what it is", "circles", "lines", "walls", "radius", "speed");
-    List<String> known =
-        Scenes.all().stream().filter(scene -> !Standing.all(results, scene).isEmpty()).toList();
-    return known.isEmpty()
-        ? ""
-        : table("The scenes", " class=\"scenes\"", head, known.stream().map(this::scene));
+    return table(
+        "The scenes",
+        " class=\"scenes\"",
+        List.of("", "scene", "what it is", "what it has", "in px and px a frame"),
+        Scenes.all().keySet().stream()
+            .filter(scene -> !Standing.all(results, scene).isEmpty())
+            .map(this::scene));
   }
 
   private String scene(String name) {
     String picture = pictures.of(Thumbnail.of(Parts.scene(name), "The scene " + name));
-    return Stream.concat(Stream.of(Scenes.what(name)), Scenes.facts(name).stream())
+    return Scenes.all().get(name).stream()
         .map(Page::cell)
         .collect(
             Collectors.joining(
@@ -226,33 +210,16 @@ final class Page {
                 Origin.age(m.commit())));
   }
 
-  private String limits() {
-    String note =
-        AcceptanceLimits.note(results).map(told -> "<p>" + text(told) + "</p>\n").orElse("");
-    return table(AcceptanceLimits.table(results), "Limits, and whether they hold") + note;
-  }
-
-  /** What tells the run beyond the line at the top: the inputs, and the failures, each once. */
-  private String origin() {
-    Metadata m = results.metadata();
-    Map<String, String> inputs = new TreeMap<>();
-    m.scenes().forEach((scene, hash) -> inputs.put("scene " + scene, "SHA-256 " + hash));
-    m.seeds().forEach((name, seed) -> inputs.put("seed " + name, Long.toString(seed)));
-    Stream<String> failures =
-        results.rows().stream()
-            .filter(row -> row.metric().equals(ReportRun.FAILURE))
-            .map(
-                row ->
-                    row.scene() + " " + new Setting(row.method(), row.knob()) + ": " + row.stat())
-            .distinct();
-    return joined(
-        Stream.of(
-                Stream.of(
-                    item("commit", m.commit()),
-                    item("rows", ReportNumbers.count(results.rows().size()))),
-                inputs.entrySet().stream().map(input -> item(input.getKey(), input.getValue())),
-                failures.map(failure -> item("not measured", failure)))
-            .flatMap(items -> items));
+  /** What broke down or could not be played, and why: each once. */
+  private List<String> failures() {
+    return results.rows().stream()
+        .filter(row -> row.metric().equals(ReportRun.FAILURE))
+        .map(
+            row ->
+                "%s %s: %s"
+                    .formatted(row.scene(), new Setting(row.method(), row.knob()), row.stat()))
+        .distinct()
+        .toList();
   }
 
   private static String item(String name, String value) {

@@ -10,47 +10,42 @@ import dev.carom.bench.results.Spread;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Map;
-import java.util.Optional;
+import java.util.function.Function;
 import java.util.function.ToDoubleFunction;
-import java.util.stream.DoubleStream;
 
 /** Single questions: how long an answer takes, and how often it is wrong. */
 final class QuestionFigures {
 
   private static final Setting PLAIN = new Setting("plain", "");
   private static final List<Setting> TESTS =
-      List.of(PLAIN, new Setting("textbook-double", ""), new Setting("textbook-float", ""));
+      List.of(
+          Metrics.CAROM,
+          PLAIN,
+          new Setting("textbook-double", ""),
+          new Setting("textbook-float", ""));
 
   private final Results results;
 
+  /** Carom in each class of questions that was asked and timed. */
+  private final List<Standing> classes;
+
   QuestionFigures(Results results) {
     this.results = results;
-  }
-
-  /** Carom in each class of questions that was asked and timed. */
-  private List<Standing> classes() {
     List<String> timed = results.scenes(Metrics.QUERY_TIME);
-    return results.scenes(Metrics.DECISIONS).stream()
-        .filter(timed::contains)
-        .map(scene -> new Standing(results, scene, Metrics.CAROM))
-        .toList();
-  }
-
-  private static Optional<Spread> spread(Standing s) {
-    return s.results().only(s.scene(), s.setting(), Metrics.QUERY_TIME);
-  }
-
-  private static double time(Standing s) {
-    return s.only(Metrics.QUERY_TIME);
+    classes =
+        results.scenes(Metrics.DECISIONS).stream()
+            .filter(timed::contains)
+            .map(scene -> new Standing(results, scene, Metrics.CAROM))
+            .toList();
   }
 
   private static double wrong(Standing s) {
     return s.only(Metrics.MISSED) + s.only(Metrics.INVENTED);
   }
 
-  /** How many times as long as a plain test Carom takes in each class. */
+  /** How many times as long as a test Carom takes in a class. */
   private static double factor(Standing ours, Setting test) {
-    return time(ours) / time(ours.with(test));
+    return ours.only(Metrics.QUERY_TIME) / ours.with(test).only(Metrics.QUERY_TIME);
   }
 
   /** The factors, in one line. */
@@ -58,100 +53,56 @@ final class QuestionFigures {
     return "An exact answer to a single question costs %s times a plain test, by class of questions"
         .formatted(
             ReportNumbers.range(
-                classes().stream().mapToDouble(ours -> factor(ours, PLAIN)), ReportNumbers::times));
+                classes.stream().mapToDouble(ours -> factor(ours, PLAIN)), ReportNumbers::times));
   }
 
   /** Where plain doubles do as well. */
   String asGood() {
     List<String> good =
-        classes().stream()
+        classes.stream()
             .filter(ours -> wrong(ours.with(PLAIN)) == 0)
             .map(ours -> Metrics.queryClass(ours.scene()))
             .toList();
-    return good.isEmpty()
-        ? "In every class plain doubles give some wrong answers."
-        : "In %d of %d classes plain doubles made no wrong decision either: %s. There exactness buys nothing but the proof."
-            .formatted(good.size(), classes().size(), String.join(", ", good));
+    return "In %d of %d classes plain doubles made no wrong decision either: %s. There exactness buys nothing but the proof."
+        .formatted(good.size(), classes.size(), String.join(", ", good));
   }
 
   /** A table of classes, if plain doubles were asked, too. */
   List<Figure> figures() {
-    List<Standing> classes = classes();
     if (classes.stream().allMatch(ours -> Double.isNaN(factor(ours, PLAIN)))) {
       return List.of();
     }
-    String note =
-        "A question is one circle against one line: whether, and when. Plain doubles are Carom's own formulas without their proof. %s %s."
-            .formatted(asGood(), accuracy());
     List<Column> columns = new ArrayList<>();
     columns.add(new Column("class of questions", s -> Metrics.queryClass(s.scene())));
-    columns.add(time("Carom", Metrics.CAROM));
-    columns.add(wrong(Metrics.CAROM));
     for (Setting test : TESTS) {
-      columns.add(time(Glossary.name(test.method()), test));
-      columns.add(
-          new Column("Carom takes", s -> ReportNumbers.times(factor(s, test)) + Figure.TIMES));
-      columns.add(wrong(test));
+      columns.add(column(Glossary.name(test.method()), test, QuestionFigures::time));
+      if (!test.equals(Metrics.CAROM)) {
+        columns.add(
+            new Column("Carom takes", s -> ReportNumbers.times(factor(s, test)) + Figure.TIMES));
+      }
+      columns.add(column("wrong", test, s -> ReportNumbers.count(wrong(s))));
+      columns.add(column("ulps", test, QuestionFigures::ulps));
     }
-    return List.of(
-        new Figure(
-            "questions",
-            "Time of a question, and wrong answers",
-            title(),
-            note,
-            List.of(),
-            Column.table(classes, columns.toArray(Column[]::new))));
+    ReportTable table = Column.table(classes, columns.toArray(Column[]::new));
+    return List.of(Figure.of("questions", title(), List.of(), table, asGood()));
   }
 
-  private static Column time(String head, Setting test) {
-    return new Column(head, s -> ReportNumbers.time(time(s.with(test))));
+  private static Column column(String head, Setting test, Function<Standing, String> cell) {
+    return new Column(head, s -> cell.apply(s.with(test)));
   }
 
-  private static Column wrong(Setting test) {
-    return new Column("wrong", s -> ReportNumbers.count(wrong(s.with(test))));
+  private static String time(Standing s) {
+    return ReportNumbers.time(s.only(Metrics.QUERY_TIME));
   }
 
-  /** The errors of the times of impact. */
-  String accuracy() {
-    List<String> classes = results.scenes(Metrics.TIME_ERROR);
-    long finest = classes.stream().filter(this::isFinest).count();
-    double worst =
-        classes.stream().mapToDouble(scene -> ulps(scene, Metrics.CAROM)).max().orElse(0);
-    return "The time of impact: Carom is the most accurate in %d of %d classes, with at worst %s ulps"
-        .formatted(finest, classes.size(), ReportNumbers.error(worst));
-  }
-
-  private boolean isFinest(String scene) {
-    return results.settings(scene, Metrics.TIME_ERROR).stream()
-        .filter(setting -> !setting.equals(Metrics.CAROM))
-        .noneMatch(setting -> ulps(scene, setting) <= ulps(scene, Metrics.CAROM));
-  }
-
-  private double ulps(String scene, Setting setting) {
-    return results.value(scene, setting, Metrics.TIME_ERROR, "max");
-  }
-
-  /** How many times as long as plain doubles Carom takes for a question: a sentence, or nothing. */
-  String price() {
-    double ours = mean(Metrics.CAROM, Spread::middle);
-    double plain = mean(PLAIN, Spread::middle);
-    return Double.isNaN(ours / plain)
-        ? ""
-        : " A question takes Carom %s times as long as plain doubles."
-            .formatted(ReportNumbers.count(ours / plain));
-  }
-
-  /** The mean over all classes; NaN if it was not timed in one of them. */
-  private double mean(Setting setting, ToDoubleFunction<Spread> number) {
-    DoubleStream numbers =
-        classes().stream()
-            .mapToDouble(
-                ours -> spread(ours.with(setting)).map(number::applyAsDouble).orElse(Double.NaN));
-    return numbers.average().orElse(Double.NaN);
+  private static String ulps(Standing s) {
+    return s.spread(Metrics.TIME_ERROR, "max")
+        .map(ulps -> ReportNumbers.error(ulps.middle()))
+        .orElse("-");
   }
 
   /** Wrong decisions against the time of a question, over all classes: a panel, or none. */
-  Optional<Panel> decisions() {
+  List<Panel> decisions() {
     Answers ours = Answers.ours(results);
     List<Dot> dots =
         Answers.all(results).stream()
@@ -161,14 +112,13 @@ final class QuestionFigures {
             .filter(dot -> !Double.isNaN(dot.time()))
             .toList();
     if (!ours.asked() || dots.isEmpty()) {
-      return Optional.empty();
+      return List.of();
     }
-    boolean slowest =
-        dots.stream().allMatch(dot -> dot.time() <= mean(Metrics.CAROM, Spread::middle));
+    double time = mean(Metrics.CAROM, Spread::middle);
     String title =
         "One question: Carom is "
             + (ours.wrong() == 0 ? "never wrong" : "wrong in " + ReportNumbers.count(ours.wrong()))
-            + (slowest && dots.size() > 1 ? ", but slowest" : "");
+            + (dots.stream().allMatch(dot -> dot.time() <= time) ? ", but slowest" : "");
     DotChart chart =
         new DotChart(
             "Time of a question against the number of wrong answers.",
@@ -178,7 +128,7 @@ final class QuestionFigures {
                 "median time of a question"),
             Double.NaN,
             Map.of(title, dots));
-    return Optional.of(chart.panels(DotChart.TALL).get(0));
+    return chart.panels(DotChart.TALL);
   }
 
   private Dot dot(Answers answers) {
@@ -190,5 +140,14 @@ final class QuestionFigures {
         mean(setting, Spread::low),
         mean(setting, Spread::middle),
         mean(setting, Spread::high));
+  }
+
+  /** The mean time over all classes; NaN if it was not timed in one of them. */
+  private double mean(Setting setting, ToDoubleFunction<Spread> number) {
+    return classes.stream()
+        .map(ours -> results.only(ours.scene(), setting, Metrics.QUERY_TIME))
+        .mapToDouble(time -> time.map(number::applyAsDouble).orElse(Double.NaN))
+        .average()
+        .orElse(Double.NaN);
   }
 }

@@ -133,8 +133,7 @@ public final class ReadmeFigures {
 
   /** How many circles a method moves in the time that a frame may take. */
   private String circles(Model model, String method) {
-    return new ScaleTimes(results)
-        .within(model, method, BUDGET)
+    return ScaleTimes.within(results, model, method, BUDGET)
         .orElseThrow(() -> notMeasured("circles at 60 FPS", method, model.label()));
   }
 

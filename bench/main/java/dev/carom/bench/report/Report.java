@@ -12,7 +12,6 @@ import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.List;
-import java.util.stream.Collectors;
 import java.util.stream.Stream;
 
 /**
@@ -43,12 +42,7 @@ public final class Report {
    * @return the verdict, a sentence a line, and the limits
    */
   public static String summary(Results results) {
-    return Stream.of(
-            String.join("\n", Verdict.of(results)) + "\n",
-            AcceptanceLimits.table(results).text(),
-            AcceptanceLimits.note(results).map(note -> note + "\n").orElse(""))
-        .filter(part -> !part.isEmpty())
-        .collect(Collectors.joining("\n"));
+    return String.join("\n", Verdict.of(results)) + "\n\n" + AcceptanceLimits.table(results).text();
   }
 
   /**
@@ -95,21 +89,24 @@ public final class Report {
    * @return in the order of the page
    */
   static List<Figure> figures(Results results) {
+    WorkFigures work = new WorkFigures(results);
+    PeerFigures peers = new PeerFigures(results);
+    RunFigures runs = new RunFigures(results);
     return Stream.of(
-            new WorkFigures(results).figures(),
-            FrameTimeFigure.of(results),
+            work.figures(),
+            work.frames(),
+            peers.engines(),
             new QuestionFigures(results).figures(),
-            GridFigure.of(results),
             new FeatureFigures(results).figures(),
             new StabilityMatrix(results).figures(),
             new StabilityFigures(results).figures(),
-            DriftFigure.of(results),
-            HeapFigure.of(results),
-            BounceFigure.of(results),
-            TrustFigure.of(results),
-            GasFigure.of(results),
+            runs.drift(),
+            peers.heap(),
+            runs.bounce(),
+            runs.trust(),
+            peers.gas(),
             new ScaleFigures(results, 1e6 * ScalePlan.LIMIT_MILLIS).figures(),
-            StartFigure.of(results),
+            peers.start(),
             new SweepFigures(results).figures())
         .flatMap(List::stream)
         .toList();

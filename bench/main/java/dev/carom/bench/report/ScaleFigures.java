@@ -10,6 +10,7 @@ import dev.carom.bench.series.Growth;
 import dev.carom.bench.series.Scale;
 import dev.carom.bench.series.ScalePlan.Model;
 import java.util.ArrayList;
+import java.util.EnumMap;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Locale;
@@ -23,8 +24,7 @@ public final class ScaleFigures {
   private static final double BUDGET = 1e6 * Budget.MILLIS;
 
   private final Results results;
-  private final ScaleTimes times;
-  private final Map<Model, List<Curve>> curves = new LinkedHashMap<>();
+  private final Map<Model, List<Curve>> curves = new EnumMap<>(Model.class);
   private final double limit;
 
   /**
@@ -36,8 +36,8 @@ public final class ScaleFigures {
   public ScaleFigures(Results results, double limit) {
     this.results = results;
     this.limit = limit;
-    times = new ScaleTimes(results);
-    Stream.of(Model.values()).forEach(model -> curves.put(model, times.curves(model)));
+    Stream.of(Model.values())
+        .forEach(model -> curves.put(model, ScaleTimes.curves(results, model)));
     curves.values().removeIf(List::isEmpty);
   }
 
@@ -47,7 +47,7 @@ public final class ScaleFigures {
       return List.of();
     }
     String title =
-        Stream.of(Metrics.OURS, "gdx-box2d")
+        Stream.of(Metrics.OURS, FirstScreen.ENGINE)
             .map(this::within)
             .filter(words -> !words.isEmpty())
             .collect(Collectors.joining("; ", "At 60 frames a second ", ""));
@@ -58,15 +58,7 @@ public final class ScaleFigures {
             .alongCounts("number of circles")
             .level(BUDGET, "60 FPS")
             .limit(limit);
-    return List.of(
-        new Figure(
-            "scale",
-            "Many circles",
-            title,
-            "Equal density in all scenes; engines at their defaults. A crossed ring above the break: a frame took longer than %s, and larger scenes were not played."
-                .formatted(ReportNumbers.time(limit)),
-            chart.panels(),
-            table()));
+    return List.of(Figure.of("scale", title, chart.panels(), table(), ReportNumbers.time(limit)));
   }
 
   private String within(String method) {
@@ -74,7 +66,7 @@ public final class ScaleFigures {
         curves.keySet().stream()
             .flatMap(
                 model ->
-                    times.within(model, method, BUDGET).stream()
+                    ScaleTimes.within(results, model, method, BUDGET).stream()
                         .map(n -> n + (model == Model.GAS ? " that collide" : " circles")))
             .collect(Collectors.joining(", or "));
     return circles.isEmpty() ? "" : Glossary.name(method) + " moves " + circles;
@@ -82,32 +74,23 @@ public final class ScaleFigures {
 
   /** How times grow with the number of circles, and what a world takes of memory: sentences. */
   public List<String> told() {
-    List<String> told = new ArrayList<>();
-    curves.forEach(
-        (model, lines) -> {
-          for (Curve curve : lines) {
-            Curves.growth(curve)
-                .ifPresent(
-                    fit ->
-                        told.add(
-                            "%s: %s, the time of a frame grows with the circles %s."
-                                .formatted(
-                                    model.label(),
-                                    Glossary.name(curve.method()),
-                                    Curves.power(fit))));
-          }
-        });
-    results.scenes(Scale.MEMORY).stream().limit(1).map(this::memory).forEach(told::add);
-    return told;
+    Stream<String> growth =
+        curves.entrySet().stream()
+            .flatMap(lines -> Curves.growth(lines.getKey().words(), lines.getValue()));
+    return Stream.concat(growth, memory()).toList();
   }
 
-  private String memory(String scene) {
-    return String.format(
-        Locale.ROOT,
-        "A world of %s circles and lines takes %.0f bytes a circle and %.0f a line.",
-        ReportNumbers.count(Curves.size(scene)),
-        results.value(scene, Metrics.CAROM, Scale.MEMORY, "circle"),
-        results.value(scene, Metrics.CAROM, Scale.MEMORY, "line"));
+  private Stream<String> memory() {
+    return results.scenes(Scale.MEMORY).stream()
+        .map(scene -> new Standing(results, scene, Metrics.CAROM))
+        .map(
+            s ->
+                String.format(
+                    Locale.ROOT,
+                    "A world of %s circles and lines takes %.0f bytes a circle and %.0f a line.",
+                    ReportNumbers.count(Curves.size(s.scene())),
+                    s.value(Scale.MEMORY, "circle"),
+                    s.value(Scale.MEMORY, "line")));
   }
 
   /** The growth of carom in each model, and the methods that became too slow. */
@@ -121,12 +104,7 @@ public final class ScaleFigures {
               Curves.growth(curve).ifPresent(fit -> models.add(growth(model, curve, fit)));
             }
             if (Double.isNaN(last(curve.middle()))) {
-              late.add(
-                  "%s at %s (%s)"
-                      .formatted(
-                          Glossary.name(curve.method()),
-                          ReportNumbers.count(last(curve.x())),
-                          model == Model.GAS ? "colliding" : "alone"));
+              late.add(late(model, curve));
             }
           }
         });
@@ -137,6 +115,11 @@ public final class ScaleFigures {
         .formatted(
             String.join("; ", models),
             late.isEmpty() ? "" : "; too slow to go on: " + String.join(", ", late));
+  }
+
+  private static String late(Model model, Curve curve) {
+    String words = model == Model.GAS ? " (colliding)" : " (alone)";
+    return Glossary.name(curve.method()) + " at " + ReportNumbers.count(last(curve.x())) + words;
   }
 
   private static String growth(Model model, Curve curve, Growth fit) {
@@ -156,11 +139,10 @@ public final class ScaleFigures {
   public ReportTable table() {
     Map<String, List<Curve>> lines = new LinkedHashMap<>();
     curves.forEach((model, of) -> lines.put(model.label(), of));
+    String late = "over " + ReportNumbers.time(limit);
     return Curves.table(
         lines,
         List.of("model", "circles", "method", "a frame", "least", "greatest"),
-        ReportNumbers::count,
-        time ->
-            Double.isNaN(time) ? "over " + ReportNumbers.time(limit) : ReportNumbers.time(time));
+        time -> Double.isNaN(time) ? late : ReportNumbers.time(time));
   }
 }

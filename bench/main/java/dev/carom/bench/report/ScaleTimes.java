@@ -15,50 +15,34 @@ import java.util.Optional;
  */
 final class ScaleTimes {
 
-  private final Results results;
-
-  ScaleTimes(Results results) {
-    this.results = results;
-  }
+  private ScaleTimes() {}
 
   /** The lines of a model; at the last place of one that took too long it is NaN. */
-  List<Curve> curves(Model model) {
+  static List<Curve> curves(Results results, Model model) {
+    List<Standing> all = Curves.along(results, Scale.TIME, Scale.SCENE + model.label() + "=");
+    List<Standing> cut = all.stream().filter(ScaleTimes::isCut).toList();
     return Curves.ofScenes(
-        Curves.along(results, Scale.TIME, prefix(model)).stream()
-            .filter(s -> !isBeyond(s))
-            .toList(),
+        all.stream().filter(s -> cut.stream().noneMatch(end -> isBeyond(s, end))).toList(),
         ScaleTimes::times);
-  }
-
-  private static String prefix(Model model) {
-    return Scale.SCENE + model.label() + "=";
-  }
-
-  /** Whether a time is of a scene that only some of the virtual machines came to. */
-  boolean isBeyond(Standing s) {
-    if (!s.scene().startsWith(Scale.SCENE)) {
-      return false;
-    }
-    String prefix = s.scene().substring(0, s.scene().indexOf('=') + 1);
-    return results.scenes(Scale.TIME).stream()
-        .filter(scene -> scene.startsWith(prefix) && Curves.size(scene) < Curves.size(s.scene()))
-        .anyMatch(scene -> isCut(new Standing(results, scene, s.setting())));
   }
 
   private static boolean isCut(Standing s) {
     return s.spread(Scale.TIME, Scale.TIMED_OUT).isPresent();
   }
 
+  private static boolean isBeyond(Standing s, Standing end) {
+    return s.setting().equals(end.setting()) && Curves.size(s.scene()) > Curves.size(end.scene());
+  }
+
   /** Low, middle, high: over the virtual machines, or, if there is but one, over its rounds. */
   private static double[] times(Standing s) {
-    Optional<Spread> median = s.spread(Scale.TIME, "median").filter(spread -> !isCut(s));
-    if (median.isEmpty()) {
-      return new double[] {Double.NaN, Double.NaN, Double.NaN};
-    }
-    Spread found = median.get();
-    return found.forks() > 1
-        ? new double[] {found.low(), found.middle(), found.high()}
-        : new double[] {s.value(Scale.TIME, "min"), found.middle(), s.value(Scale.TIME, "max")};
+    Spread time =
+        s.spread(Scale.TIME, "median")
+            .filter(found -> !isCut(s))
+            .orElse(Spread.of(0, Double.NaN, Double.NaN));
+    return time.forks() > 1
+        ? new double[] {time.low(), time.middle(), time.high()}
+        : new double[] {s.value(Scale.TIME, "min"), time.middle(), s.value(Scale.TIME, "max")};
   }
 
   /**
@@ -66,8 +50,8 @@ final class ScaleTimes {
    *
    * @return with two digits, or that more are possible than were measured; empty if not measured
    */
-  Optional<String> within(Model model, String method, double nanos) {
-    return curves(model).stream()
+  static Optional<String> within(Results results, Model model, String method, double nanos) {
+    return curves(results, model).stream()
         .filter(curve -> curve.method().equals(method))
         .findFirst()
         .flatMap(curve -> within(curve, nanos));
@@ -84,8 +68,8 @@ final class ScaleTimes {
             ReportNumbers.count(Double.parseDouble(ReportNumbers.rounded(circles, 2))));
       }
     }
-    return times[x.length - 1] <= nanos
-        ? Optional.of("over " + ReportNumbers.count(x[x.length - 1]))
-        : Optional.empty();
+    return Optional.of(x[x.length - 1])
+        .filter(most -> times[x.length - 1] <= nanos)
+        .map(most -> "over " + ReportNumbers.count(most));
   }
 }

@@ -12,7 +12,7 @@ import java.util.Set;
 /** The order in which settings are told, however they were measured: carom first, knobs upwards. */
 final class Settings {
 
-  private static final Comparator<Setting> ORDER =
+  static final Comparator<Setting> ORDER =
       Comparator.comparing((Setting s) -> !s.method().equals(Metrics.OURS))
           .thenComparing(Setting::method)
           .thenComparing(s -> !s.knob().isEmpty() && !Glossary.isDefault(s))

@@ -60,33 +60,35 @@ public final class StabilityFigures {
 
   private Figure figure(List<MapTally> tallies) {
     FailureMap map = tallies.get(0).map();
-    List<CellLimit> limits = tallies.get(0).limits();
+    Standing any = new Standing(results, Survey.SCENE + map.name(), tallies.get(0).setting());
+    List<Boolean> dark =
+        MapTally.values(any, Survey.LIMIT).stream()
+            .map(limit -> limit != CellLimit.NONE.ordinal())
+            .toList();
     List<Board> boards = drawn(tallies).stream().map(StabilityFigures::board).toList();
     String title = title(tallies);
     FailureMapChart chart =
         new FailureMapChart(
             title,
             Settings.marks(results),
-            side(map, map.x(), Survey.X),
-            side(map, map.y(), Survey.Y),
-            legend(boards, limits),
-            limits.stream().map(limit -> limit != CellLimit.NONE).toList(),
+            side(any, map.x(), Survey.X),
+            side(any, map.y(), Survey.Y),
+            legend(boards, dark),
+            dark,
             boards);
-    return new Figure(
+    return Figure.of(
         PREFIX + map.name(),
-        "Where methods fail: " + map.heading(),
         title,
-        map.run()
-            + " Each small square is one such scene, and the number above how many are right."
-            + absent(tallies),
         List.of(new Panel("", chart.picture())),
-        table(tallies));
+        ReportTable.NONE,
+        map.heading(),
+        map.run(),
+        absent(tallies));
   }
 
-  private Side side(FailureMap map, Axis axis, String metric) {
+  private static Side side(Standing any, Axis axis, String metric) {
     return new Side(
-        axis.label(),
-        MapTally.values(results, map, metric).stream().map(axis.text()::apply).toList());
+        axis.label(), MapTally.values(any, metric).stream().map(axis.text()::apply).toList());
   }
 
   private static Board board(MapTally tally) {
@@ -94,7 +96,7 @@ public final class StabilityFigures {
         tally.setting().method(),
         Glossary.shortKnob(tally.setting()),
         MapTally.share(List.of(tally)),
-        tally.outcomes().stream().map(CellOutcome::ordinal).toList());
+        tally.outcomes());
   }
 
   /** Of each method the setting that is right most often, to 0.001 radius, then to 0.1. */
@@ -110,14 +112,13 @@ public final class StabilityFigures {
   }
 
   /** The classes that occur, then the dark corner; nothing in place of the others. */
-  private static List<String> legend(List<Board> boards, List<CellLimit> limits) {
+  private static List<String> legend(List<Board> boards, List<Boolean> dark) {
     List<String> legend = new ArrayList<>();
     for (CellOutcome outcome : CellOutcome.values()) {
       boolean occurs = boards.stream().anyMatch(b -> b.classes().contains(outcome.ordinal()));
       legend.add(occurs ? WORDS.get(outcome) : "");
     }
-    boolean limited = limits.stream().anyMatch(limit -> limit != CellLimit.NONE);
-    legend.add(limited ? "nobody can be right" : "");
+    legend.add(dark.contains(true) ? "nobody can be right" : "");
     return legend;
   }
 
@@ -127,39 +128,20 @@ public final class StabilityFigures {
     Optional<MapTally> simpler =
         best(tallies, t -> !Glossary.isEngine(t.setting()) && Settings.isDrawn(t.setting()))
             .filter(t -> engine.isEmpty() || MapTally.BY_RIGHT.compare(t, engine.get()) > 0);
+    List<MapTally> ours = tallies.subList(0, 1);
     return Stream.of(
-            Optional.of(ours(tallies.get(0))),
-            simpler.map(t -> t.name() + " in " + right(t)),
-            engine.map(t -> "the best engine, " + t.name() + ", in " + right(t)))
-        .flatMap(Optional::stream)
+            Stream.of(
+                "Carom is right in %s of %d scenes"
+                    .formatted(MapTally.share(ours), MapTally.cells(ours))),
+            simpler.stream().map(t -> t.name() + " in " + MapTally.share(List.of(t))),
+            engine.stream()
+                .map(t -> "the best engine, " + t.name() + ", in " + MapTally.share(List.of(t))))
+        .flatMap(parts -> parts)
         .collect(Collectors.joining("; "));
-  }
-
-  private static String ours(MapTally ours) {
-    boolean limited = ours.within() < ours.cells();
-    String scenes =
-        ReportNumbers.count(ours.within()) + " scenes" + (limited ? " within its limits" : "");
-    String words =
-        ours.wrongWithin() == 0
-            ? "Carom is right in all " + scenes
-            : "Carom is wrong in %s of %s"
-                .formatted(ReportNumbers.count(ours.wrongWithin()), scenes);
-    return limited // others are counted in all
-        ? "%s, and right in %s of all %s"
-            .formatted(words, MapTally.share(List.of(ours)), ReportNumbers.count(ours.cells()))
-        : words;
   }
 
   private static Optional<MapTally> best(List<MapTally> tallies, Predicate<MapTally> who) {
     return tallies.stream().skip(1).filter(t -> t.played() && who.test(t)).max(MapTally.BY_RIGHT);
-  }
-
-  /** Where none is right, a coarser limit tells more. */
-  private static String right(MapTally t) {
-    String share = MapTally.share(List.of(t));
-    return t.right() == 0 && t.coarse() > 0
-        ? share + " (to 0.1 radius " + ReportNumbers.share(t.coarse(), t.cells()) + ")"
-        : share;
   }
 
   /** A sentence about those who have no panel, or nothing. */
@@ -170,23 +152,5 @@ public final class StabilityFigures {
             .map(MapTally::name)
             .collect(Collectors.joining(", "));
     return names.isEmpty() ? "" : " " + names + " cannot play such scenes.";
-  }
-
-  /** Shares of each class, and the wrong ones within the limits, of all who can play. */
-  private static ReportTable table(List<MapTally> tallies) {
-    List<String> head = new ArrayList<>(List.of("setting"));
-    Stream.of(CellOutcome.values()).map(CellOutcome::label).forEach(head::add);
-    head.add("wrong within the limits");
-    return new ReportTable(
-        head, tallies.stream().filter(MapTally::played).map(StabilityFigures::row).toList());
-  }
-
-  private static List<String> row(MapTally tally) {
-    List<String> row = new ArrayList<>(List.of(tally.name()));
-    for (CellOutcome outcome : CellOutcome.values()) {
-      row.add(ReportNumbers.share(tally.count(outcome), tally.cells()));
-    }
-    row.add(ReportNumbers.failures(tally.wrongWithin(), tally.within()));
-    return row;
   }
 }

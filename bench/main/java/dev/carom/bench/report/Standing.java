@@ -9,6 +9,7 @@ import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
+import java.util.stream.Collectors;
 import java.util.stream.Stream;
 
 /**
@@ -64,6 +65,21 @@ record Standing(Results results, String scene, Setting setting) {
                   .map(s -> Glossary.fullName(s.setting()) + " in " + scene);
             })
         .toList();
+  }
+
+  /** Who is surely faster than Carom by a stat of the times of frames, in words. */
+  static String faster(List<Standing> all, String stat) {
+    Optional<Spread> ours = ours(all).flatMap(s -> s.spread(Metrics.FRAME_TIME, stat));
+    String names =
+        all.stream()
+            .filter(s -> ours.isPresent())
+            .filter(
+                s ->
+                    s.spread(Metrics.FRAME_TIME, stat).stream()
+                        .anyMatch(t -> t.isBelow(ours.get())))
+            .map(Standing::name)
+            .collect(Collectors.joining(", "));
+    return names.isEmpty() ? "none" : names;
   }
 
   boolean isOurs() {

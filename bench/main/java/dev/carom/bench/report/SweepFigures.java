@@ -7,7 +7,6 @@ import dev.carom.bench.charts.CurveChart.Unit;
 import dev.carom.bench.replay.Budget;
 import dev.carom.bench.results.Results;
 import dev.carom.bench.series.Sweep;
-import java.util.ArrayList;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
@@ -63,15 +62,7 @@ public final class SweepFigures {
         new CurveChart(title, Settings.marks(results), Unit.TIME, null, panels)
             .level(1e9 / Budget.PUBLISHED_FPS, "published: 19.2 frames/s")
             .levelBelow(1e6 * Budget.MILLIS, "goal: 60 frames/s");
-    return List.of(
-        new Figure(
-            "sweep",
-            "The published experiment",
-            title,
-            "100 circles of radius 10 among 100 lines, one of these numbers varied. Line: mean; band: from the fastest to the slowest of 600 frames. "
-                + String.join(" ", growth()),
-            chart.panels(),
-            ReportTable.NONE));
+    return List.of(Figure.of("sweep", title, chart.panels(), ReportTable.NONE));
   }
 
   private String title() {
@@ -90,18 +81,9 @@ public final class SweepFigures {
 
   /** How times grow with the sizes of the scene: a sentence for each size and method. */
   public List<String> growth() {
-    List<String> sentences = new ArrayList<>();
-    for (String axis : SIZES) {
-      for (Curve curve : curves.getOrDefault(axis, List.of())) {
-        Curves.growth(curve)
-            .ifPresent(
-                fit ->
-                    sentences.add(
-                        "The time of %s grows with the number of %s %s."
-                            .formatted(Glossary.name(curve.method()), axis, Curves.power(fit))));
-      }
-    }
-    return sentences;
+    return SIZES.stream()
+        .flatMap(axis -> Curves.growth(axis, curves.getOrDefault(axis, List.of())))
+        .toList();
   }
 
   /** The numbers: a row for each place and method. */
@@ -109,7 +91,6 @@ public final class SweepFigures {
     return Curves.table(
         curves,
         List.of("varied", "value", "method", "mean", "least", "greatest"),
-        ReportNumbers::count,
         ReportNumbers::time);
   }
 }

@@ -24,7 +24,10 @@ class ScaleCommandTest {
         .anyMatch(line -> line.matches("gas +900 +Carom .*"))
         .anyMatch(line -> line.matches("gas +400 +dyn4j .*"))
         .noneMatch(line -> line.matches("gas +100 +published 2010 .*"))
-        .anyMatch(line -> line.startsWith("alone: published 2010, the time of a frame grows"))
+        .anyMatch(
+            line ->
+                line.startsWith(
+                    "The time of published 2010 grows with the number of circles that ignore"))
         .anyMatch(line -> line.matches("A world of 102,400 circles and lines takes .* a line\\."));
     assertThat(ResultsCsv.read(csv)).extracting(Row::scene).contains("scale:gas=100");
     assertThat(ResultsCsv.read(csv))

@@ -117,7 +117,7 @@ class ReportTest {
   void theScenesAreToldWithTheirSizes() {
     assertThat(page)
         .containsPattern(
-            "base-1</th><td>the published experiment<td>100<td>100<td>800 x 600<td>10<td>")
+            "base-1</th><td>the published experiment<td>100 circles among 100 lines<td>radius 10, speed")
         .contains("aria-label=\"The scene fast-1\"");
   }
 
@@ -142,7 +142,7 @@ class ReportTest {
         .containsPattern("published 2010<td>base-1<td>68.6 µs [^<]*<td>66 \\(61.6 .. 70.7\\)<td>")
         .contains("<dt>published 2010</dt><dd>the published algorithm of 2010, in float")
         .contains("slowest frame<td>base-1<td>16.7 ms<td>")
-        .contains("commit</dt><dd>0123456789abcdef");
+        .contains("; commit 0123456789ab");
   }
 
   @Test

@@ -61,7 +61,7 @@ class ScaleFiguresTest {
         .anyMatch(
             told ->
                 told.startsWith(
-                    "alone: Carom, the time of a frame grows with the circles to the power 1.00"))
+                    "The time of Carom grows with the number of circles that collide to the power 1.00"))
         .endsWith("A world of 102,400 circles and lines takes 120 bytes a circle and 30 a line.");
     assertThat(figure().title()).startsWith("At 60 frames a second Carom moves over 3,600 circles");
     assertThat(new String(figure().picture().svg(), StandardCharsets.UTF_8))

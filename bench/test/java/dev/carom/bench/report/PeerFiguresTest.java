@@ -6,9 +6,9 @@ import static org.assertj.core.api.Assertions.assertThat;
 import java.nio.charset.StandardCharsets;
 import org.junit.jupiter.api.Test;
 
-class HeapFigureTest {
+class PeerFiguresTest {
 
-  private static Sample sample() {
+  private static Sample heap() {
     Sample sample = Sample.complete();
     heap(sample, "carom", "", 0, 120, 9e5);
     heap(sample, "gdx-box2d", "setting=defaults, 30 px/m", 0.5, 100, 6e4);
@@ -29,7 +29,7 @@ class HeapFigureTest {
   @Test
   void theTitleTellsOverlapsAndWhoIsFaster() {
     Figure heap =
-        Report.figures(sample().results()).stream()
+        Report.figures(heap().results()).stream()
             .filter(figure -> figure.id().equals("heap"))
             .findFirst()
             .orElseThrow();
@@ -46,7 +46,7 @@ class HeapFigureTest {
   /** Most frames of a heap are at rest: medians would compare frames in which nothing moves. */
   @Test
   void theRatiosAreThoseOfMeansAsTheChart() {
-    ReportTable table = HeapFigure.of(sample().results()).get(0).table();
+    ReportTable table = new PeerFigures(heap().results()).heap().get(0).table();
     int ratio = table.head().indexOf("Carom = 1");
 
     assertThat(table.rows().stream().map(row -> row.get(ratio)))
@@ -58,7 +58,27 @@ class HeapFigureTest {
   void aPageQuotesTheOverlap() {
     assertThat(
             ReadmeFigures.fill(
-                "<!--overlap:gdx-box2d-->?<!--/overlap:gdx-box2d-->", sample().results()))
+                "<!--overlap:gdx-box2d-->?<!--/overlap:gdx-box2d-->", heap().results()))
         .contains(">0.25<");
+  }
+
+  private static Figure gas(double gain) {
+    Sample sample = new Sample();
+    sample.add("gas", "carom", "", "gas_energy", "max", 1e-15, "1", -1);
+    sample.add("gas", "carom", "", "gas_overlap", "max", 0, "radii", -1);
+    sample.add("gas", "dyn4j", "setting=tuned", "gas_energy", "max", gain, "1", -1);
+    return new PeerFigures(sample.results()).gas().get(0);
+  }
+
+  @Test
+  void aGainOfEnergyIsInPercent() {
+    assertThat(gas(10.5).table().text()).contains("1,050 %");
+  }
+
+  @Test
+  void theTitleTellsEnergyAndOverlap() {
+    assertThat(gas(1).title())
+        .isEqualTo(
+            "Colliding circles: Carom keeps energy to 1.0e-13 % and overlaps by 0 radii; faster: none");
   }
 }
