@@ -4,7 +4,7 @@ package dev.carom.bench.cli;
 import dev.carom.bench.experiment.CannotPlaceException;
 import dev.carom.bench.report.FeatureFigures;
 import dev.carom.bench.report.Figure;
-import dev.carom.bench.report.HeapsTable;
+import dev.carom.bench.report.SeriesTables;
 import dev.carom.bench.results.Results;
 import dev.carom.bench.results.Row;
 import dev.carom.bench.series.Features;
@@ -81,7 +81,7 @@ final class FeaturesCommand extends SeriesCommand {
   @Override
   String text(Results results) {
     if (heaps != null) {
-      return HeapsTable.of(results).text();
+      return SeriesTables.heaps(results).text();
     }
     return new FeatureFigures(results).table().text();
   }

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 package dev.carom.bench.cli;
 
-import dev.carom.bench.report.WorldsTable;
+import dev.carom.bench.report.SeriesTables;
 import dev.carom.bench.results.Results;
 import dev.carom.bench.results.Row;
 import dev.carom.bench.series.ManyWorlds;
@@ -68,7 +68,7 @@ final class WorldsCommand implements Callable<Integer> {
     List<Row> rows = new ManyWorlds(worlds, rounds).measure(counts);
     Results results = files.write(Map.of(), false, rows);
     PrintWriter out = spec.commandLine().getOut();
-    out.print(WorldsTable.of(results).text());
+    out.print(SeriesTables.worlds(results).text());
     out.printf(
         Locale.ROOT,
         "memory  %,.0f bytes a world, with its scene%nhash    %08x, the lower half, the same on"

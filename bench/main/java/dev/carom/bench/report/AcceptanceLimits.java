@@ -32,15 +32,71 @@ final class AcceptanceLimits {
     }
   }
 
-  /** In radii, where impacts are few. */
-  private static final double FRAME_ERROR = 1e-12;
+  /**
+   * A number of Carom that has a limit in each of some scenes.
+   *
+   * @param most the limit
+   */
+  private record Bound(
+      String what,
+      List<String> scenes,
+      String metric,
+      String stat,
+      double most,
+      DoubleFunction<String> text) {
 
-  private static final List<String> SLOW = List.of("base-1", "base-2", "base-3", "radii");
+    Stream<Limit> limits(Results results) {
+      return scenes.stream()
+          .map(scene -> new Standing(results, scene, Metrics.CAROM))
+          .flatMap(s -> s.spread(metric, stat).map(found -> limit(s, found)).stream());
+    }
+
+    private Limit limit(Standing s, Spread found) {
+      boolean holds = found.middle() <= most;
+      String measured = text.apply(found.middle()) + (holds ? "" : above(s));
+      return new Limit(what, s.scene(), text.apply(most), measured, holds);
+    }
+
+    /** How many of how many are above the limit, if that was counted. */
+    private String above(Standing s) {
+      return s.spread(metric, RoundingPart.ABOVE)
+          .map(
+              above ->
+                  ", %s of %s circle-frames above"
+                      .formatted(
+                          ReportNumbers.count(above.middle()),
+                          ReportNumbers.count((double) above.n())))
+          .orElse("");
+    }
+  }
 
   /** Where impacts are many. */
-  private static final String FAST = "fast-1";
+  private static final List<String> FAST = List.of("fast-1");
 
-  private static final double BUDGET = 1e6 * Budget.MILLIS;
+  private static final List<Bound> ERRORS =
+      List.of(
+          new Bound(
+              "worst error of one frame, in radii",
+              List.of("base-1", "base-2", "base-3", "radii"),
+              Metrics.FRAME_ERROR,
+              "max",
+              1e-12,
+              ReportNumbers::error),
+          new Bound(
+              "worst error of one circle in one frame, in 2^-53 x its conditioning",
+              FAST,
+              RoundingPart.METRIC,
+              "max",
+              RoundingPart.LIMIT,
+              ReportNumbers::ratio),
+          new Bound(
+              "worst error of one frame, in 2^-53 x the greatest conditioning in it",
+              FAST,
+              RoundingPart.METRIC,
+              RoundingPart.OF_FRAMES,
+              RoundingPart.LIMIT,
+              ReportNumbers::ratio));
+
   private static final int FORKS = 5;
   private static final List<String> GOT_OUT = List.of("tunnelled", "escaped", "outside_at_end");
 
@@ -52,12 +108,23 @@ final class AcceptanceLimits {
 
   private static List<Limit> of(Results results) {
     AcceptanceLimits all = new AcceptanceLimits(results);
+    Bound slowest =
+        new Bound(
+            "slowest frame",
+            results.scenes(Metrics.FRAME_TIME),
+            Metrics.FRAME_TIME,
+            "worst",
+            1e6 * Budget.MILLIS,
+            ReportNumbers::time);
     return Stream.of(
-            all.decisions(),
-            SLOW.stream().flatMap(all::frameError),
-            all.roundings(),
-            results.scenes(Metrics.FRAME_ERROR).stream().flatMap(all::beaten),
-            slowestFrames(results).stream().flatMap(AcceptanceLimits::budget),
+            Stream.of(Answers.ours(results))
+                .filter(Answers::asked)
+                .map(AcceptanceLimits::decisions),
+            ERRORS.stream().flatMap(bound -> bound.limits(results)),
+            Standing.ours(results, Metrics.FRAME_ERROR).stream()
+                .filter(ours -> ours.time().forks() > 0)
+                .map(AcceptanceLimits::beaten),
+            slowest.limits(results),
             results.scenes("escaped").stream().map(all::solid),
             all.forks())
         .flatMap(limits -> limits)
@@ -83,100 +150,18 @@ final class AcceptanceLimits {
                 missed.isEmpty() ? "" : "; missed: " + String.join("; ", missed));
   }
 
-  private Stream<Limit> decisions() {
-    Answers ours = Answers.ours(results);
-    return ours.asked()
-        ? Stream.of(
-            new Limit("wrong answers", "all questions", "0", ours.text(), ours.wrong() == 0))
-        : Stream.empty();
+  private static Limit decisions(Answers ours) {
+    return new Limit("wrong answers", "all questions", "0", ours.text(), ours.wrong() == 0);
   }
 
-  private Standing carom(String scene) {
-    return new Standing(results, scene, Metrics.CAROM);
-  }
-
-  private static Stream<Limit> atMost(
-      double limit,
-      String what,
-      Standing s,
-      String metric,
-      String stat,
-      DoubleFunction<String> text) {
-    return s.spread(metric, stat).stream()
-        .mapToDouble(Spread::middle)
-        .mapToObj(
-            found ->
-                new Limit(what, s.scene(), text.apply(limit), text.apply(found), found <= limit));
-  }
-
-  private Stream<Limit> frameError(String scene) {
-    return atMost(
-        FRAME_ERROR,
-        "worst error of one frame, in radii",
-        carom(scene),
-        Metrics.FRAME_ERROR,
-        "max",
-        ReportNumbers::error);
-  }
-
-  private Stream<Limit> roundings() {
-    Standing fast = carom(FAST);
-    return Stream.concat(
-        atMost(
-            RoundingPart.LIMIT,
-            "worst error of one circle in one frame, in 2^-53 x its conditioning",
-            fast,
-            RoundingPart.METRIC,
-            "max",
-            units -> ReportNumbers.ratio(units) + (units > RoundingPart.LIMIT ? above(fast) : "")),
-        atMost(
-            RoundingPart.LIMIT,
-            "worst error of one frame, in 2^-53 x the greatest conditioning in it",
-            fast,
-            RoundingPart.METRIC,
-            RoundingPart.OF_FRAMES,
-            ReportNumbers::ratio));
-  }
-
-  /** How many of how many are above the limit. */
-  private static String above(Standing s) {
-    return s.spread(RoundingPart.METRIC, RoundingPart.ABOVE)
-        .map(
-            above ->
-                ", %s of %s circle-frames above"
-                    .formatted(
-                        ReportNumbers.count(above.middle()),
-                        ReportNumbers.count((double) above.n())))
-        .orElse("");
-  }
-
-  /** A scene without times is none to be fast in. */
-  private Stream<Limit> beaten(String scene) {
-    Standing ours = carom(scene);
-    if (ours.time().forks() == 0) {
-      return Stream.empty();
-    }
-    List<String> better = Standing.better(results, List.of(scene));
-    String measured = better.isEmpty() ? "none" : String.join(", ", better);
-    return Stream.of(
-        new Limit(
-            "both faster and more accurate than Carom",
-            scene,
-            "none",
-            measured,
-            better.isEmpty() && !ours.failed()));
-  }
-
-  /** Carom in the scenes where not only its usual frames were measured. */
-  static List<Standing> slowestFrames(Results results) {
-    return results.scenes(Metrics.FRAME_TIME).stream()
-        .map(scene -> new Standing(results, scene, Metrics.CAROM))
-        .filter(s -> s.spread(Metrics.FRAME_TIME, "worst").isPresent())
-        .toList();
-  }
-
-  private static Stream<Limit> budget(Standing s) {
-    return atMost(BUDGET, "slowest frame", s, Metrics.FRAME_TIME, "worst", ReportNumbers::time);
+  private static Limit beaten(Standing ours) {
+    List<String> better = Standing.better(ours.results(), List.of(ours.scene()));
+    return new Limit(
+        "both faster and more accurate than Carom",
+        ours.scene(),
+        "none",
+        better.isEmpty() ? "none" : String.join(", ", better),
+        better.isEmpty() && !ours.failed());
   }
 
   private Limit solid(String scene) {

@@ -2,22 +2,16 @@
 package dev.carom.bench.report;
 
 import dev.carom.bench.charts.Panel;
-import dev.carom.bench.charts.Picture;
 import dev.carom.bench.results.Results;
 import dev.carom.bench.series.Features;
 import java.util.List;
 import java.util.Map;
-import java.util.Set;
 
 /** The cost of each thing that a scene uses, in the time of a frame and in memory. */
 public final class FeatureFigures {
 
-  /** The scenes in words, in the order of the table. */
+  /** The scenes in words, in the order of the table, and whether the chart has them, too. */
   private static final Map<String, List<String>> USES = Texts.table("features.txt");
-
-  /** Those of 100 circles that differ most; the table has all. */
-  private static final Set<String> DRAWN =
-      Set.of("circles", "walls", "lines", "recording", "moving-line", "collisions", "gravity");
 
   private final Results results;
   private final List<Standing> all;
@@ -54,7 +48,8 @@ public final class FeatureFigures {
 
   /** The bars: one figure, or none if nothing was measured. */
   public List<Figure> figures() {
-    List<Standing> drawn = all.stream().filter(s -> DRAWN.contains(name(s))).toList();
+    List<Standing> drawn =
+        all.stream().filter(s -> USES.get(name(s)).get(1).contains("chart")).toList();
     if (drawn.isEmpty()) {
       return List.of();
     }
@@ -62,7 +57,7 @@ public final class FeatureFigures {
         "The mean frame takes %s where there is nothing to hit, %s among 100 lines"
             .formatted(
                 ReportNumbers.time(time(use("circles"))), ReportNumbers.time(time(use("lines"))));
-    Picture bars =
+    Panel bars =
         Figure.bars(
             title,
             drawn,
@@ -70,7 +65,7 @@ public final class FeatureFigures {
             Settings.marks(results),
             FeatureFigures::time,
             ReportNumbers::time);
-    return List.of(Figure.of("features", title, List.of(new Panel("", bars)), table()));
+    return List.of(Figure.of("features", title, List.of(bars), table()));
   }
 
   /** The numbers: a row for each use. */

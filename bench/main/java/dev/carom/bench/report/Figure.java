@@ -35,7 +35,12 @@ public record Figure(
 
   /** Keeps a copy. */
   public Figure {
-    panels = List.copyOf(panels);
+    panels = panels.stream().map(panel -> untitled(panel, title)).toList();
+  }
+
+  /** A panel does not say again what the figure says. */
+  private static Panel untitled(Panel panel, String title) {
+    return panel.title().equals(title) ? new Panel("", panel.picture()) : panel;
   }
 
   /**
@@ -56,8 +61,8 @@ public record Figure(
     return Sheet.of(title, note, panels);
   }
 
-  /** A bar for each standing. */
-  static Picture bars(
+  /** A panel with a bar for each standing. */
+  static Panel bars(
       String title,
       Collection<Standing> standings,
       Function<Standing, String> name,
@@ -72,6 +77,6 @@ public record Figure(
                   return new Bar(name.apply(s), marks.color(s.method()), v, text.apply(v));
                 })
             .toList();
-    return new BarChart(title, bars).picture();
+    return new Panel(title, new BarChart(title, bars).picture());
   }
 }

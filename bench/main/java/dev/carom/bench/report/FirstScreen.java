@@ -7,7 +7,6 @@ import java.util.Comparator;
 import java.util.List;
 import java.util.Optional;
 import java.util.function.Function;
-import java.util.function.Predicate;
 import java.util.stream.Collectors;
 import java.util.stream.Stream;
 
@@ -70,16 +69,16 @@ final class FirstScreen {
   }
 
   private String rank(Standing carom) {
-    String faster = names(s -> s.isFasterThan(carom));
-    String level = names(s -> !s.isOurs() && s.isLevelWith(carom));
-    if (!faster.isEmpty()) {
-      return "and not the fastest (" + faster + ")";
+    if (all.stream().anyMatch(s -> s.isFasterThan(carom))) {
+      return "and not the fastest (" + Standing.faster(all, "median") + ")";
     }
+    String level =
+        carom
+            .others()
+            .filter(s -> s.isLevelWith(carom))
+            .map(Standing::name)
+            .collect(Collectors.joining(", "));
     return level.isEmpty() ? "and the fastest measured" : "and as fast as " + level;
-  }
-
-  private String names(Predicate<Standing> who) {
-    return all.stream().filter(who).map(Standing::name).collect(Collectors.joining(", "));
   }
 
   /** The fastest of all others that err at most ten times as much. */

@@ -9,7 +9,10 @@ import java.util.Set;
 /** What methods and their settings are called where people read. */
 final class Glossary {
 
-  /** By method: its name, short enough to stand at a dot, and a sentence. */
+  /**
+   * By method: its name, short enough to stand at a dot, a sentence, and where it stands. Charts
+   * leave out those that say what another one says: a chart of a dozen marks is not read.
+   */
   private static final Map<String, List<String>> METHODS = Texts.table("methods.txt");
 
   /** The knob of a peer, which is left as it comes or set as well as its documentation allows. */
@@ -22,14 +25,23 @@ final class Glossary {
     return METHODS.keySet();
   }
 
+  private static List<String> words(String method) {
+    return METHODS.getOrDefault(method, List.of(method, "", "charts"));
+  }
+
   /** How a method is called; one that is not known keeps its label. */
   static String name(String method) {
-    return METHODS.getOrDefault(method, List.of(method)).get(0);
+    return words(method).get(0);
   }
 
   /** What a method is; empty for one that is not known. */
   static String what(String method) {
-    return METHODS.getOrDefault(method, List.of(method, "")).get(1);
+    return words(method).get(1);
+  }
+
+  /** Whether a method stands in charts, not only in tables. */
+  static boolean isDrawn(String method) {
+    return words(method).get(2).contains("charts");
   }
 
   /** Whether a method was only written to tell what a part of carom gives. */

@@ -41,7 +41,7 @@ final class Page {
       case "methods" -> methods();
       case "run" -> run();
       case "quick" -> results.metadata().quick() ? " --quick" : "";
-      case "shortcomings" -> items(Shortcomings.of(results));
+      case "shortcomings" -> items(Verdict.shortcomings(results));
       case "limits" -> text(AcceptanceLimits.sentence(results));
       case "verdict" -> items(Verdict.of(results));
       case "all-limits" -> table(AcceptanceLimits.table(results), "Limits, and whether they hold");

@@ -6,9 +6,6 @@ import dev.carom.bench.charts.Panel;
 import dev.carom.bench.results.Results;
 import java.util.Comparator;
 import java.util.List;
-import java.util.function.DoubleFunction;
-import java.util.function.Function;
-import java.util.function.ToDoubleFunction;
 import java.util.stream.Collectors;
 
 /** Carom beside the engines: a frame, a heap, a gas, and the first second of a game. */
@@ -25,15 +22,6 @@ final class PeerFigures {
   PeerFigures(Results results) {
     this.results = results;
     marks = Settings.marks(results);
-  }
-
-  private Panel bars(
-      String title,
-      List<Standing> standings,
-      Function<Standing, String> name,
-      ToDoubleFunction<Standing> value,
-      DoubleFunction<String> text) {
-    return new Panel(title, Figure.bars(title, standings, name, marks, value, text));
   }
 
   private static String method(Standing s) {
@@ -60,13 +48,10 @@ final class PeerFigures {
             timed.stream().filter(s -> !s.isOurs()).mapToDouble(s -> median(s) / median(ours)),
             ReportNumbers::count);
     String title = "Carom is %s times as fast as the engines".formatted(times);
-    Panel bars = bars(title, timed, PeerFigures::method, PeerFigures::median, ReportNumbers::time);
-    return Figure.of(
-        "engines",
-        title,
-        List.of(new Panel("", bars.picture())),
-        ReportTable.NONE,
-        Scenes.size(ours.scene()));
+    Panel bars =
+        Figure.bars(
+            title, timed, PeerFigures::method, marks, PeerFigures::median, ReportNumbers::time);
+    return Figure.of("engines", title, List.of(bars), ReportTable.NONE, Scenes.size(ours.scene()));
   }
 
   private static double median(Standing s) {
@@ -85,16 +70,18 @@ final class PeerFigures {
             .formatted(overlaps(all));
     List<Panel> panels =
         List.of(
-            bars(
+            Figure.bars(
                 "Deepest overlap, in radii",
                 all,
                 Standing::name,
+                marks,
                 PeerFigures::overlap,
                 ReportNumbers::error),
-            bars(
+            Figure.bars(
                 "Mean frame; faster than Carom: " + Standing.faster(all, "mean"),
                 all,
                 Standing::name,
+                marks,
                 s -> s.value(Metrics.FRAME_TIME, "mean"),
                 ReportNumbers::time));
     ReportTable table =
@@ -187,7 +174,12 @@ final class PeerFigures {
   }
 
   private Panel start(String title, List<Standing> all, String stat) {
-    return bars(
-        title, all, PeerFigures::method, s -> s.value(START_TIME, stat), ReportNumbers::time);
+    return Figure.bars(
+        title,
+        all,
+        PeerFigures::method,
+        marks,
+        s -> s.value(START_TIME, stat),
+        ReportNumbers::time);
   }
 }

@@ -33,9 +33,8 @@ final class QuestionFigures {
     this.results = results;
     List<String> timed = results.scenes(Metrics.QUERY_TIME);
     classes =
-        results.scenes(Metrics.DECISIONS).stream()
-            .filter(timed::contains)
-            .map(scene -> new Standing(results, scene, Metrics.CAROM))
+        Standing.ours(results, Metrics.DECISIONS).stream()
+            .filter(ours -> timed.contains(ours.scene()))
             .toList();
   }
 

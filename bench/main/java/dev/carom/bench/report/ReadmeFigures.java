@@ -66,30 +66,19 @@ public final class ReadmeFigures {
 
   /** Replaces what stands between marks, and returns the page with the figures of these results. */
   static String fill(String page, Results results) {
-    ReadmeFigures figures = new ReadmeFigures(results);
-    StringBuilder filled = new StringBuilder();
-    Matcher marked = MARKED.matcher(page);
-    int end = 0;
-    while (marked.find()) {
-      filled.append(text(page, end, marked.start()));
-      filled.append(marked.group(1)).append(figures.figure(marked.group(2)));
-      filled.append(marked.group(3));
-      end = marked.end();
-    }
-    return filled.append(text(page, end, page.length())).toString();
-  }
-
-  /** A part of the page that has no mark. */
-  private static String text(String page, int from, int to) {
-    String text = page.substring(from, to);
-    Matcher alone = MARK.matcher(text);
+    Matcher alone = MARK.matcher(MARKED.matcher(page).replaceAll(""));
     if (alone.find()) {
       throw new IllegalArgumentException(
-          "the mark "
-              + alone.group()
-              + " stands alone: expected one before and one after a figure");
+          "the mark %s stands alone: expected one before and one after a figure"
+              .formatted(alone.group()));
     }
-    return text;
+    ReadmeFigures figures = new ReadmeFigures(results);
+    return MARKED
+        .matcher(page)
+        .replaceAll(
+            mark ->
+                Matcher.quoteReplacement(
+                    mark.group(1) + figures.figure(mark.group(2)) + mark.group(3)));
   }
 
   private String figure(String name) {

@@ -8,6 +8,7 @@ import dev.carom.bench.charts.Marks;
 import dev.carom.bench.results.Results;
 import dev.carom.bench.results.Setting;
 import java.util.ArrayList;
+import java.util.Comparator;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
@@ -111,9 +112,8 @@ final class RunFigures {
   /** The errors that carom predicts for its places, against the true ones; or none. */
   List<Figure> trust() {
     List<Standing> scenes =
-        results.scenes(Metrics.ERROR_BOUND).stream()
-            .sorted()
-            .map(scene -> new Standing(results, scene, Metrics.CAROM))
+        Standing.ours(results, Metrics.ERROR_BOUND).stream()
+            .sorted(Comparator.comparing(Standing::scene))
             .toList();
     return scenes.isEmpty() ? List.of() : List.of(trust(scenes));
   }

@@ -81,8 +81,7 @@ public final class ScaleFigures {
   }
 
   private Stream<String> memory() {
-    return results.scenes(Scale.MEMORY).stream()
-        .map(scene -> new Standing(results, scene, Metrics.CAROM))
+    return Standing.ours(results, Scale.MEMORY).stream()
         .map(
             s ->
                 String.format(

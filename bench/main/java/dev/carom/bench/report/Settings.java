@@ -7,7 +7,6 @@ import dev.carom.bench.results.Setting;
 import java.util.Collection;
 import java.util.Comparator;
 import java.util.List;
-import java.util.Set;
 
 /** The order in which settings are told, however they were measured: carom first, knobs upwards. */
 final class Settings {
@@ -19,26 +18,11 @@ final class Settings {
           .thenComparingDouble(Settings::number)
           .thenComparing(Setting::knob);
 
-  /**
-   * Methods that charts leave out, since each says what another one says: a chart of a dozen marks
-   * is not read. All tables have them.
-   */
-  private static final Set<String> IN_TABLES_ONLY =
-      Set.of(
-          "advancement",
-          "closest-point",
-          "overlap",
-          "poster-double",
-          "substeps",
-          "textbook-double",
-          "textbook-float",
-          "textbook-grid");
-
   private Settings() {}
 
   /** Whether a method stands in charts, not only in tables. */
   static boolean isDrawn(Setting setting) {
-    return !IN_TABLES_ONLY.contains(setting.method());
+    return Glossary.isDrawn(setting.method());
   }
 
   static List<Setting> sorted(Collection<Setting> settings) {
@@ -51,8 +35,7 @@ final class Settings {
   /** Marks that do not depend on the order of the rows. */
   static Marks marks(Results results) {
     return new Marks(
-        results.methods().stream().filter(m -> !IN_TABLES_ONLY.contains(m)).sorted().toList(),
-        Glossary::name);
+        results.methods().stream().filter(Glossary::isDrawn).sorted().toList(), Glossary::name);
   }
 
   private static double number(Setting setting) {

@@ -16,11 +16,8 @@ import java.util.Collection;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
-import java.util.Optional;
 import java.util.function.BinaryOperator;
-import java.util.function.Predicate;
 import java.util.stream.Collectors;
-import java.util.stream.Stream;
 
 /** Where methods fail: maps of small scenes, one panel a method. */
 public final class StabilityFigures {
@@ -66,7 +63,7 @@ public final class StabilityFigures {
             .map(limit -> limit != CellLimit.NONE.ordinal())
             .toList();
     List<Board> boards = drawn(tallies).stream().map(StabilityFigures::board).toList();
-    String title = title(tallies);
+    String title = new StabilityMatrix(tallies).title();
     FailureMapChart chart =
         new FailureMapChart(
             title,
@@ -120,28 +117,6 @@ public final class StabilityFigures {
     }
     legend.add(dark.contains(true) ? "nobody can be right" : "");
     return legend;
-  }
-
-  /** No engine is praised or blamed where something simpler does better: that is named, too. */
-  private static String title(List<MapTally> tallies) {
-    Optional<MapTally> engine = best(tallies, t -> Glossary.isEngine(t.setting()));
-    Optional<MapTally> simpler =
-        best(tallies, t -> !Glossary.isEngine(t.setting()) && Settings.isDrawn(t.setting()))
-            .filter(t -> engine.isEmpty() || MapTally.BY_RIGHT.compare(t, engine.get()) > 0);
-    List<MapTally> ours = tallies.subList(0, 1);
-    return Stream.of(
-            Stream.of(
-                "Carom is right in %s of %d scenes"
-                    .formatted(MapTally.share(ours), MapTally.cells(ours))),
-            simpler.stream().map(t -> t.name() + " in " + MapTally.share(List.of(t))),
-            engine.stream()
-                .map(t -> "the best engine, " + t.name() + ", in " + MapTally.share(List.of(t))))
-        .flatMap(parts -> parts)
-        .collect(Collectors.joining("; "));
-  }
-
-  private static Optional<MapTally> best(List<MapTally> tallies, Predicate<MapTally> who) {
-    return tallies.stream().skip(1).filter(t -> t.played() && who.test(t)).max(MapTally.BY_RIGHT);
   }
 
   /** A sentence about those who have no panel, or nothing. */

@@ -27,9 +27,13 @@ public final class StabilityMatrix {
    * @param results what was measured
    */
   public StabilityMatrix(Results results) {
+    this(
+        FailureMap.all(false).stream().flatMap(map -> MapTally.of(results, map).stream()).toList());
+  }
+
+  StabilityMatrix(List<MapTally> tallies) {
     played =
-        FailureMap.all(false).stream()
-            .flatMap(map -> MapTally.of(results, map).stream())
+        tallies.stream()
             .filter(MapTally::played)
             .collect(
                 Collectors.groupingBy(
@@ -41,12 +45,17 @@ public final class StabilityMatrix {
     if (!played.containsKey(Metrics.CAROM)) {
       return List.of();
     }
-    String next =
-        best(s -> true)
-            .map(s -> "; next is %s, with %s of those that it plays".formatted(name(s), share(s)))
-            .orElse("");
-    String title = "Carom is right in %s of the small scenes".formatted(share(Metrics.CAROM));
-    return List.of(Figure.of("stability", title + next, List.of(), table()));
+    return List.of(Figure.of("stability", title(), List.of(), table()));
+  }
+
+  /** How Carom does, and the best of the others. */
+  String title() {
+    return "Carom is right in %s of %s scenes; %s"
+        .formatted(share(Metrics.CAROM), cells(), rivals());
+  }
+
+  private String cells() {
+    return ReportNumbers.count(MapTally.cells(played.get(Metrics.CAROM)));
   }
 
   private static String name(Setting setting) {
@@ -91,7 +100,9 @@ public final class StabilityMatrix {
   private Optional<Setting> best(Predicate<Setting> who) {
     return played.keySet().stream()
         .filter(setting -> !setting.equals(Metrics.CAROM) && who.test(setting))
-        .max(Comparator.comparingDouble(setting -> MapTally.part(played.get(setting))));
+        .max(
+            Comparator.comparingDouble((Setting setting) -> MapTally.part(played.get(setting)))
+                .thenComparing(Settings::isDrawn));
   }
 
   /** The third tile. */
@@ -99,24 +110,28 @@ public final class StabilityMatrix {
     if (!played.containsKey(Metrics.CAROM)) {
       return Optional.empty();
     }
-    String rivals =
-        Stream.of(
-                best(s -> true).map(this::rival),
-                best(Glossary::isEngine).map(s -> "best engine, " + rival(s)),
-                best(s -> s.method().equals(FirstScreen.PUBLISHED)).map(this::rival))
-            .flatMap(Optional::stream)
-            .distinct()
-            .collect(Collectors.joining("; "));
-    String cells = ReportNumbers.count(MapTally.cells(played.get(Metrics.CAROM)));
     return Optional.of(
         new Tile(
             "Stability",
             share(Metrics.CAROM),
-            "of %s small scenes right to 0.001 radius".formatted(cells),
-            rivals));
+            "of %s small scenes right to 0.001 radius".formatted(cells()),
+            rivals()));
+  }
+
+  /** The best of the others, the best engine, and the published method. */
+  private String rivals() {
+    return Stream.of(
+            best(s -> true),
+            best(Glossary::isEngine),
+            best(s -> s.method().equals(FirstScreen.PUBLISHED)))
+        .flatMap(Optional::stream)
+        .distinct()
+        .map(this::rival)
+        .collect(Collectors.joining("; "));
   }
 
   private String rival(Setting setting) {
-    return name(setting) + ": " + share(setting);
+    String who = (Glossary.isEngine(setting) ? "best engine, " : "") + name(setting);
+    return who + ": " + share(setting);
   }
 }

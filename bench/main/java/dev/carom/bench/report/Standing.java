@@ -9,6 +9,7 @@ import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
+import java.util.function.BiPredicate;
 import java.util.stream.Collectors;
 import java.util.stream.Stream;
 
@@ -33,6 +34,13 @@ record Standing(Results results, String scene, Setting setting) {
         .toList();
   }
 
+  /** Carom in each scene in which a metric was measured. */
+  static List<Standing> ours(Results results, String metric) {
+    return results.scenes(metric).stream()
+        .map(scene -> new Standing(results, scene, Metrics.CAROM))
+        .toList();
+  }
+
   /** All settings of a scene for which there is an error or a time. */
   static List<Standing> all(Results results, String scene) {
     return of(results, scene, Metrics.FRAME_ERROR, Metrics.FRAME_TIME);
@@ -54,17 +62,27 @@ record Standing(Results results, String scene, Setting setting) {
     return all.stream().filter(Standing::isOurs).findFirst();
   }
 
+  /** Who compares with Carom in a way, and where: method, setting and scene. */
+  static List<String> who(
+      Results results, List<String> scenes, BiPredicate<Standing, Standing> compares) {
+    return scenes.stream()
+        .map(scene -> new Standing(results, scene, Metrics.CAROM))
+        .flatMap(
+            ours ->
+                ours.others()
+                    .filter(other -> compares.test(other, ours))
+                    .map(other -> Glossary.fullName(other.setting) + " in " + other.scene))
+        .toList();
+  }
+
   /** Who is both faster and more accurate than Carom, and where. */
   static List<String> better(Results results, List<String> scenes) {
-    return scenes.stream()
-        .flatMap(
-            scene -> {
-              List<Standing> all = all(results, scene);
-              return ours(all).stream()
-                  .flatMap(ours -> all.stream().filter(s -> s.beats(ours)))
-                  .map(s -> Glossary.fullName(s.setting()) + " in " + scene);
-            })
-        .toList();
+    return who(results, scenes, Standing::beats);
+  }
+
+  /** All other settings in the same scene. */
+  Stream<Standing> others() {
+    return all(results, scene).stream().filter(other -> !other.setting.equals(setting));
   }
 
   /** Who is surely faster than Carom by a stat of the times of frames, in words. */

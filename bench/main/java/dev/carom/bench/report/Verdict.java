@@ -6,9 +6,11 @@ import dev.carom.bench.results.Results;
 import dev.carom.bench.results.Setting;
 import dev.carom.bench.series.ScalePlan;
 import java.util.Comparator;
+import java.util.LinkedHashMap;
 import java.util.List;
-import java.util.Optional;
-import java.util.stream.Stream;
+import java.util.Map;
+import java.util.function.BiPredicate;
+import java.util.function.DoubleFunction;
 
 /**
  * Six sentences by rule from the data, each with its number: decisions, accuracy, budget, the place
@@ -47,28 +49,34 @@ public final class Verdict {
     if (!ours.asked()) {
       return "Decisions: not measured.";
     }
-    String next =
-        Answers.all(results).stream()
-            .filter(a -> !a.setting().method().equals(Metrics.OURS) && a.total() == ours.total())
-            .min(Comparator.comparingDouble(Answers::wrong))
-            .map(
-                best ->
-                    rank(best.wrong(), ours.wrong(), "as many has", "fewer has")
-                        + rival(best.setting(), ReportNumbers.count(best.wrong())))
-            .orElse("");
-    return "Decisions: wrong answers of Carom: %s%s.".formatted(ours.text(), next);
+    Map<Setting, Double> others = new LinkedHashMap<>();
+    Answers.all(results).stream()
+        .filter(answers -> answers.total() == ours.total())
+        .forEach(answers -> others.put(answers.setting(), answers.wrong()));
+    return "Decisions: wrong answers of Carom: %s; %s."
+        .formatted(
+            ours.text(),
+            next(others, ours.wrong(), "as many has", "fewer has", ReportNumbers::count));
   }
 
-  /** How the best of the others does against Carom, the less the better. */
-  private static String rank(double theirs, double ours, String asGood, String better) {
-    if (theirs == ours) {
-      return "; " + asGood + " ";
-    }
-    return theirs < ours ? "; " + better + " " : "; next is ";
-  }
-
-  private static String rival(Setting setting, String number) {
-    return Glossary.fullName(setting) + ", with " + number;
+  /** Who of the others has the least, and whether that is less than ours. */
+  private static String next(
+      Map<Setting, Double> numbers,
+      double ours,
+      String asGood,
+      String better,
+      DoubleFunction<String> text) {
+    return numbers.entrySet().stream()
+        .filter(e -> !e.getKey().method().equals(Metrics.OURS) && !e.getValue().isNaN())
+        .min(Map.Entry.comparingByValue())
+        .map(
+            best -> {
+              double theirs = best.getValue();
+              String rank = theirs == ours ? asGood : theirs < ours ? better : "next is";
+              return "%s %s, with %s"
+                  .formatted(rank, Glossary.fullName(best.getKey()), text.apply(theirs));
+            })
+        .orElse("no other has all");
   }
 
   private String accuracy() {
@@ -78,20 +86,15 @@ public final class Verdict {
       return "Accuracy: Carom has no error to show: "
           + (scenes.isEmpty() ? "not measured." : "it failed in a scene.");
     }
-    Optional<Setting> next =
-        rivals(scenes)
-            .filter(s -> !Double.isNaN(worstError(scenes, s)))
-            .min(Comparator.comparingDouble(s -> worstError(scenes, s)));
-    String rest =
-        next.map(
-                best -> {
-                  double theirs = worstError(scenes, best);
-                  return rank(theirs, ours, "as accurate is", "more accurate is")
-                      + rival(best, ReportNumbers.error(theirs));
-                })
-            .orElse("; all others failed in one of them");
-    return "Accuracy: in %s the worst error of one frame of Carom is %s%s."
-        .formatted(scenes(scenes.size()), ReportNumbers.radii(ours), rest);
+    Map<Setting, Double> others = new LinkedHashMap<>();
+    for (Standing s : Standing.of(results, scenes.get(0), Metrics.FRAME_ERROR)) {
+      others.put(s.setting(), worstError(scenes, s.setting()));
+    }
+    return "Accuracy: in %s the worst error of one frame of Carom is %s; %s."
+        .formatted(
+            scenes(scenes.size()),
+            ReportNumbers.radii(ours),
+            next(others, ours, "as accurate is", "more accurate is", ReportNumbers::error));
   }
 
   /** NaN if it failed, or was not measured, in one of them. */
@@ -101,24 +104,16 @@ public final class Verdict {
         .reduce(0, Math::max); // NaN if one of them is
   }
 
-  private Stream<Setting> rivals(List<String> scenes) {
-    return scenes.stream()
-        .flatMap(scene -> results.settings(scene, Metrics.FRAME_ERROR).stream())
-        .distinct()
-        .filter(s -> !s.method().equals(Metrics.OURS) && !s.method().equals(Metrics.NEIGHBOUR));
-  }
-
   private String budget() {
-    List<Standing> timed = AcceptanceLimits.slowestFrames(results);
+    List<Standing> timed =
+        Standing.ours(results, Metrics.FRAME_TIME).stream()
+            .filter(s -> !Double.isNaN(worst(s)))
+            .toList();
     if (timed.isEmpty()) {
       return "Budget: not measured.";
     }
-    // A time that failed is greater than all.
     Standing slowest = timed.stream().max(Comparator.comparingDouble(Verdict::worst)).orElseThrow();
     double worst = worst(slowest);
-    if (Double.isNaN(worst)) {
-      return "Budget: Carom has no time in " + slowest.scene() + ".";
-    }
     boolean met = worst <= BUDGET;
     return "Budget: %s; the slowest frame of Carom in %s takes %s (%s, median over forks), %s of the 16.67 ms of 60 FPS."
         .formatted(
@@ -138,27 +133,22 @@ public final class Verdict {
   /** Where something is both faster and more accurate; else what comes close. */
   private String place() {
     List<Standing> ours =
-        results.scenes(Metrics.FRAME_ERROR).stream()
-            .map(scene -> new Standing(results, scene, Metrics.CAROM))
+        Standing.ours(results, Metrics.FRAME_ERROR).stream()
             .filter(s -> s.time().forks() > 0) // else nobody's frames were timed
             .toList();
     if (ours.isEmpty()) {
       return "Place: not measured.";
     }
-    List<String> better = Standing.better(results, ours.stream().map(Standing::scene).toList());
+    List<String> scenes = ours.stream().map(Standing::scene).toList();
+    List<String> better = Standing.better(results, scenes);
     if (!better.isEmpty()) {
       return "Place: Carom is beaten: both faster and more accurate %s %s."
           .formatted(better.size() == 1 ? "is" : "are", String.join(", ", better));
     }
     List<String> level =
-        ours.stream()
-            .flatMap(
-                carom ->
-                    others(carom)
-                        .filter(s -> s.isLevelWith(carom) && s.isMoreAccurateThan(carom))
-                        .map(s -> Glossary.fullName(s.setting()) + " in " + s.scene()))
-            .toList();
-    long alone = ours.stream().filter(carom -> others(carom).allMatch(carom::beats)).count();
+        Standing.who(
+            results, scenes, (s, carom) -> s.isLevelWith(carom) && s.isMoreAccurateThan(carom));
+    long alone = ours.stream().filter(carom -> carom.others().allMatch(carom::beats)).count();
     return "Place: in %s nothing measured is both faster and more accurate than Carom; in %d of %d it is itself faster and more accurate than all others%s."
         .formatted(
             scenes(ours.size()),
@@ -169,8 +159,18 @@ public final class Verdict {
                 : "; more accurate, and not told apart in time: " + String.join(", ", level));
   }
 
-  private Stream<Standing> others(Standing carom) {
-    return Standing.all(results, carom.scene()).stream().filter(s -> !s.isOurs());
+  /** Where Carom is not the best in speed or accuracy: a sentence for each way. */
+  static List<String> shortcomings(Results results) {
+    return List.of(
+        shortcoming(results, "Faster than Carom", Standing::isFasterThan),
+        shortcoming(results, "More accurate than Carom", Standing::isMoreAccurateThan),
+        shortcoming(results, "As accurate as Carom", (s, ours) -> s.error() == ours.error()));
+  }
+
+  private static String shortcoming(
+      Results results, String what, BiPredicate<Standing, Standing> compares) {
+    List<String> who = Standing.who(results, results.scenes(Metrics.FRAME_ERROR), compares);
+    return what + ": " + (who.isEmpty() ? "none" : String.join(", ", who)) + ".";
   }
 
   private static String scenes(int n) {

@@ -3,7 +3,7 @@ package dev.carom.bench.cli;
 
 import static org.assertj.core.api.Assertions.assertThat;
 
-import dev.carom.bench.report.WorldsTable;
+import dev.carom.bench.report.SeriesTables;
 import dev.carom.bench.results.Metadata;
 import dev.carom.bench.results.Results;
 import dev.carom.bench.results.ResultsJson;
@@ -49,7 +49,7 @@ class WorldsCommandTest {
     Metadata origin = new Metadata("", 1, "", "", "", "", Map.of(), Map.of(), "", true);
     List<Row> rows = List.of(row("threads=4", 300), row("threads=1", 100), row("threads=2", 180));
 
-    assertThat(WorldsTable.of(new Results(origin, rows)).rows())
+    assertThat(SeriesTables.worlds(new Results(origin, rows)).rows())
         .extracting(row -> row.get(0) + ": " + row.get(4))
         .containsExactly("one thread: 1", "2 threads: 1.8", "4 threads: 3");
   }
