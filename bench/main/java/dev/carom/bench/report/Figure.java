@@ -13,6 +13,7 @@ import java.util.Map;
 import java.util.function.DoubleFunction;
 import java.util.function.Function;
 import java.util.function.ToDoubleFunction;
+import java.util.stream.Stream;
 
 /**
  * A figure of the report: pictures with the numbers behind them, or a table alone.
@@ -54,6 +55,15 @@ public record Figure(
         TEXTS.containsKey(id) ? TEXTS.get(id) : TEXTS.get(id.substring(0, id.indexOf('-') + 1));
     String[] filled = String.join(BREAK, texts).formatted(words).split(BREAK, -1);
     return new Figure(id, filled[0], title, filled[1], panels, table);
+  }
+
+  /** The figures of these ids, in this order; an id that ends with a hyphen stands for many. */
+  static Stream<Figure> named(String ids, List<Figure> figures) {
+    return Stream.of(ids.split(" ")).flatMap(id -> figures.stream().filter(f -> f.isOf(id)));
+  }
+
+  private boolean isOf(String name) {
+    return id.equals(name) || (name.endsWith("-") && id.startsWith(name));
   }
 
   /** All of it but the table, on one sheet. */

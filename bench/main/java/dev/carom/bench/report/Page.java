@@ -28,7 +28,7 @@ final class Page {
   }
 
   static String of(Results results, List<Figure> figures) {
-    return Template.fill("page.html", new Page(results, figures)::filled);
+    return Texts.fill("page.html", new Page(results, figures)::filled);
   }
 
   private String filled(String slot, String ids) {
@@ -36,7 +36,7 @@ final class Page {
       case "css" -> Texts.read("report.css");
       case "sentence" -> text(new FirstScreen(results).sentence());
       case "tiles" -> joined(new FirstScreen(results).tiles().stream().map(Page::tile));
-      case "figures" -> joined(Template.named(ids, figures).map(this::figure));
+      case "figures" -> joined(Figure.named(ids, figures).map(this::figure));
       case "scenes" -> scenes();
       case "methods" -> methods();
       case "run" -> run();

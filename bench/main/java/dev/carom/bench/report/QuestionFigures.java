@@ -48,7 +48,7 @@ final class QuestionFigures {
   }
 
   /** The factors, in one line. */
-  String title() {
+  private String title() {
     return "An exact answer to a single question costs %s times a plain test, by class of questions"
         .formatted(
             ReportNumbers.range(

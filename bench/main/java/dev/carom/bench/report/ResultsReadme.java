@@ -18,7 +18,7 @@ final class ResultsReadme {
   }
 
   static String of(Results results, List<Figure> figures) {
-    return Template.fill("results.md", new ResultsReadme(results, figures)::filled);
+    return Texts.fill("results.md", new ResultsReadme(results, figures)::filled);
   }
 
   private String filled(String slot, String words) {
@@ -27,7 +27,7 @@ final class ResultsReadme {
       case "tiles" -> tiles();
       case "method" -> Glossary.what(words);
       case "figures" ->
-          Template.named(words, figures)
+          Figure.named(words, figures)
               .map(figure -> "![%s](%s.png)".formatted(figure.title(), figure.id()))
               .collect(Collectors.joining("\n\n"));
       case "questions" -> questions();
@@ -47,8 +47,9 @@ final class ResultsReadme {
   }
 
   private String questions() {
-    QuestionFigures questions = new QuestionFigures(results);
-    return questions.figures().isEmpty() ? "" : questions.title() + ". " + questions.asGood();
+    return Figure.named("questions", figures)
+        .map(figure -> figure.title() + ". " + new QuestionFigures(results).asGood())
+        .collect(Collectors.joining());
   }
 
   private String run() {

@@ -8,11 +8,14 @@ import java.nio.charset.StandardCharsets;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
+import java.util.function.BiFunction;
+import java.util.regex.Matcher;
 import java.util.regex.Pattern;
 
 /** Texts that are kept beside the classes. */
 final class Texts {
 
+  private static final Pattern SLOT = Pattern.compile("\\{\\{([a-z-]+) ?([a-z -]*)}}");
   private static final Pattern BAR = Pattern.compile(" \\| ");
 
   private Texts() {}
@@ -23,6 +26,16 @@ final class Texts {
     } catch (IOException e) {
       throw new UncheckedIOException(name + " cannot be read", e);
     }
+  }
+
+  /**
+   * Fills the slots of a text: {@code {{name}}}, or {@code {{name words}}}.
+   *
+   * @param slots what stands in a slot, by its name and its words
+   */
+  static String fill(String name, BiFunction<String, String, String> slots) {
+    return SLOT.matcher(read(name))
+        .replaceAll(slot -> Matcher.quoteReplacement(slots.apply(slot.group(1), slot.group(2))));
   }
 
   /** What stands behind the first word of each line, in parts, by that word. */
