@@ -4,9 +4,14 @@ package dev.carom.bench.report;
 import dev.carom.bench.measures.RoundingPart;
 import dev.carom.bench.replay.Budget;
 import dev.carom.bench.results.Results;
+import dev.carom.bench.results.Row;
 import dev.carom.bench.results.Spread;
+import dev.carom.bench.series.Scale;
 import java.util.List;
+import java.util.Map;
+import java.util.Set;
 import java.util.function.DoubleFunction;
+import java.util.stream.Collectors;
 import java.util.stream.Stream;
 
 /** The limits that Carom is to keep, and whether it does: by rule, where they were measured. */
@@ -98,6 +103,10 @@ final class AcceptanceLimits {
               ReportNumbers::ratio));
 
   private static final int FORKS = 5;
+
+  /** Single frames, and times in larger and larger scenes, to which not every fork comes. */
+  private static final Set<String> ENDING = Set.of(Metrics.FRAME_RAW, Scale.TIME);
+
   private static final List<String> GOT_OUT = List.of("tunnelled", "escaped", "outside_at_end");
 
   private final Results results;
@@ -174,19 +183,21 @@ final class AcceptanceLimits {
     return new Limit(what, scene, "0", ReportNumbers.count(most), most == 0);
   }
 
-  /** The number of forks, of the time of a frame that has the fewest. */
+  /** The number of forks, of the time that has the fewest. */
   private Stream<Limit> forks() {
-    return results.scenes(Metrics.FRAME_TIME).stream()
-        .flatMap(scene -> Standing.of(results, scene, Metrics.FRAME_TIME).stream())
-        .flatMap(s -> s.spread(Metrics.FRAME_TIME, "median").stream())
-        .map(Spread::forks)
-        .min(Integer::compare)
-        .stream()
+    Map<String, Set<Integer>> forks =
+        results.rows().stream()
+            .filter(row -> row.unit().equals("ns") && !ENDING.contains(row.metric()))
+            .collect(
+                Collectors.groupingBy(
+                    row -> row.scene() + " " + row.method() + " " + row.knob(),
+                    Collectors.mapping(Row::fork, Collectors.toSet())));
+    return forks.values().stream().map(Set::size).min(Integer::compare).stream()
         .map(
             least ->
                 new Limit(
                     "forks of each time, least",
-                    "all frames",
+                    "all times but of growth",
                     "at least " + FORKS,
                     least.toString(),
                     least >= FORKS));

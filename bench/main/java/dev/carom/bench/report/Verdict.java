@@ -5,6 +5,7 @@ import dev.carom.bench.replay.Budget;
 import dev.carom.bench.results.Results;
 import dev.carom.bench.results.Setting;
 import dev.carom.bench.series.ScalePlan;
+import java.util.ArrayList;
 import java.util.Comparator;
 import java.util.LinkedHashMap;
 import java.util.List;
@@ -159,18 +160,21 @@ public final class Verdict {
                 : "; more accurate, and not told apart in time: " + String.join(", ", level));
   }
 
-  /** Where Carom is not the best in speed or accuracy: a sentence for each way. */
+  /** Where Carom is not the best in speed or accuracy: a sentence for each way that occurs. */
   static List<String> shortcomings(Results results) {
-    return List.of(
-        shortcoming(results, "Faster than Carom", Standing::isFasterThan),
-        shortcoming(results, "More accurate than Carom", Standing::isMoreAccurateThan),
-        shortcoming(results, "As accurate as Carom", (s, ours) -> s.error() == ours.error()));
-  }
-
-  private static String shortcoming(
-      Results results, String what, BiPredicate<Standing, Standing> compares) {
-    List<String> who = Standing.who(results, results.scenes(Metrics.FRAME_ERROR), compares);
-    return what + ": " + (who.isEmpty() ? "none" : String.join(", ", who)) + ".";
+    Map<String, BiPredicate<Standing, Standing>> ways = new LinkedHashMap<>();
+    ways.put("Faster than Carom", Standing::isFasterThan);
+    ways.put("More accurate than Carom", Standing::isMoreAccurateThan);
+    ways.put("As accurate as Carom", (s, ours) -> s.error() == ours.error());
+    List<String> told = new ArrayList<>();
+    ways.forEach(
+        (what, way) -> {
+          List<String> who = Standing.who(results, results.scenes(Metrics.FRAME_ERROR), way);
+          if (!who.isEmpty()) {
+            told.add(what + ": " + String.join(", ", who) + ".");
+          }
+        });
+    return told;
   }
 
   private static String scenes(int n) {

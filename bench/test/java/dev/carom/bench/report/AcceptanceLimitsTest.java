@@ -75,7 +75,7 @@ class AcceptanceLimitsTest {
   @Test
   void fewForksAreTooFew() {
     Sample sample = Sample.complete().without(row -> row.fork() == 4);
-    assertThat(row(sample, "forks", "all frames")).endsWith("at least 5", "4", "no");
+    assertThat(row(sample, "forks", "all times but of growth")).endsWith("at least 5", "4", "no");
   }
 
   @Test
