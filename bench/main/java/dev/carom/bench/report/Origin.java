@@ -22,6 +22,7 @@ public final class Origin {
   private static final List<String> SCENES =
       List.of("base-1", "base-2", "base-3", "fast-1", "radii");
   private static final String UNKNOWN = "unknown";
+  private static final String OLD = ", %s commits old when this page was made";
 
   private Origin() {}
 
@@ -81,16 +82,8 @@ public final class Origin {
   static String age(String commit) {
     String bare = commit.replace("-dirty", "");
     return bare.matches("[0-9a-f]{7,40}")
-        ? git("rev-list", "--count", bare + "..HEAD").map(Origin::words).orElse("")
+        ? git("rev-list", "--count", bare + "..HEAD").map(OLD::formatted).orElse("")
         : "";
-  }
-
-  private static String words(String commits) {
-    return switch (commits) {
-      case "0" -> ", the newest one when this page was made";
-      case "1" -> ", 1 commit old when this page was made";
-      default -> ", " + commits + " commits old when this page was made";
-    };
   }
 
   /** What git says, or nothing if it cannot say. */
