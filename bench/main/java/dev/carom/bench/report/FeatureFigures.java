@@ -59,12 +59,7 @@ public final class FeatureFigures {
                 ReportNumbers.time(time(use("circles"))), ReportNumbers.time(time(use("lines"))));
     Panel bars =
         Figure.bars(
-            title,
-            drawn,
-            FeatureFigures::words,
-            Settings.marks(results),
-            FeatureFigures::time,
-            ReportNumbers::time);
+            title, drawn, FeatureFigures::words, Features.TIME, "median", ReportNumbers::time);
     return List.of(Figure.of("features", title, List.of(bars), table()));
   }
 

@@ -7,12 +7,11 @@ import dev.carom.bench.charts.Marks;
 import dev.carom.bench.charts.Panel;
 import dev.carom.bench.charts.Picture;
 import dev.carom.bench.charts.Sheet;
-import java.util.Collection;
+import java.util.ArrayList;
 import java.util.List;
 import java.util.Map;
 import java.util.function.DoubleFunction;
 import java.util.function.Function;
-import java.util.function.ToDoubleFunction;
 import java.util.stream.Stream;
 
 /**
@@ -71,22 +70,20 @@ public record Figure(
     return Sheet.of(title, note, panels);
   }
 
-  /** A panel with a bar for each standing. */
+  /** A panel with a bar for each standing, of which there is one at least. */
   static Panel bars(
       String title,
-      Collection<Standing> standings,
+      List<Standing> standings,
       Function<Standing, String> name,
-      Marks marks,
-      ToDoubleFunction<Standing> value,
+      String metric,
+      String stat,
       DoubleFunction<String> text) {
-    List<Bar> bars =
-        standings.stream()
-            .map(
-                s -> {
-                  double v = value.applyAsDouble(s);
-                  return new Bar(name.apply(s), marks.color(s.method()), v, text.apply(v));
-                })
-            .toList();
+    Marks marks = Settings.marks(standings.get(0).results());
+    List<Bar> bars = new ArrayList<>();
+    for (Standing s : standings) {
+      double value = s.value(metric, stat);
+      bars.add(new Bar(name.apply(s), marks.color(s.method()), value, text.apply(value)));
+    }
     return new Panel(title, new BarChart(title, bars).picture());
   }
 }

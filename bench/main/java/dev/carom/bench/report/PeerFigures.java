@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 package dev.carom.bench.report;
 
-import dev.carom.bench.charts.Marks;
 import dev.carom.bench.charts.Panel;
 import dev.carom.bench.results.Results;
 import java.util.Comparator;
@@ -17,11 +16,9 @@ final class PeerFigures {
   private static final String START_TIME = "start_time";
 
   private final Results results;
-  private final Marks marks;
 
   PeerFigures(Results results) {
     this.results = results;
-    marks = Settings.marks(results);
   }
 
   private static String method(Standing s) {
@@ -42,7 +39,7 @@ final class PeerFigures {
         : Standing.ours(timed).map(ours -> engines(timed, ours)).stream().toList();
   }
 
-  private Figure engines(List<Standing> timed, Standing ours) {
+  private static Figure engines(List<Standing> timed, Standing ours) {
     String times =
         ReportNumbers.range(
             timed.stream().filter(s -> !s.isOurs()).mapToDouble(s -> median(s) / median(ours)),
@@ -50,7 +47,7 @@ final class PeerFigures {
     String title = "Carom is %s times as fast as the engines".formatted(times);
     Panel bars =
         Figure.bars(
-            title, timed, PeerFigures::method, marks, PeerFigures::median, ReportNumbers::time);
+            title, timed, PeerFigures::method, Metrics.FRAME_TIME, "median", ReportNumbers::time);
     return Figure.of("engines", title, List.of(bars), ReportTable.NONE, Scenes.size(ours.scene()));
   }
 
@@ -64,7 +61,7 @@ final class PeerFigures {
     return all.isEmpty() ? List.of() : List.of(heap(all));
   }
 
-  private Figure heap(List<Standing> all) {
+  private static Figure heap(List<Standing> all) {
     String title =
         "In a heap, Carom's circles touch; those of the engines, each at its better setting, sink %s radii into each other"
             .formatted(overlaps(all));
@@ -74,15 +71,15 @@ final class PeerFigures {
                 "Deepest overlap, in radii",
                 all,
                 Standing::name,
-                marks,
-                PeerFigures::overlap,
+                Metrics.HEAP_OVERLAP,
+                "max",
                 ReportNumbers::error),
             Figure.bars(
                 "Mean frame; faster than Carom: " + Standing.faster(all, "mean"),
                 all,
                 Standing::name,
-                marks,
-                s -> s.value(Metrics.FRAME_TIME, "mean"),
+                Metrics.FRAME_TIME,
+                "mean",
                 ReportNumbers::time));
     ReportTable table =
         Column.table(
@@ -158,7 +155,7 @@ final class PeerFigures {
         .toList();
   }
 
-  private Figure start(List<Standing> all, Standing best) {
+  private static Figure start(List<Standing> all, Standing best) {
     String title =
         "The first frame comes after %s; the slowest later frame is shortest with %s"
             .formatted(
@@ -173,13 +170,7 @@ final class PeerFigures {
     return Figure.of(START, title, panels, ReportTable.NONE);
   }
 
-  private Panel start(String title, List<Standing> all, String stat) {
-    return Figure.bars(
-        title,
-        all,
-        PeerFigures::method,
-        marks,
-        s -> s.value(START_TIME, stat),
-        ReportNumbers::time);
+  private static Panel start(String title, List<Standing> all, String stat) {
+    return Figure.bars(title, all, PeerFigures::method, START_TIME, stat, ReportNumbers::time);
   }
 }
