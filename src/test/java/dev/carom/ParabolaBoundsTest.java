@@ -11,10 +11,10 @@ import dev.carom.internal.sweep.FallSweep;
 import dev.carom.internal.sweep.Falls;
 import dev.carom.internal.sweep.ParabolaWallSweep;
 import dev.carom.oracle.Draw;
+import dev.carom.oracle.Family;
 import dev.carom.oracle.PairQuery;
 import dev.carom.oracle.ParabolaContact;
 import dev.carom.oracle.ParabolaFamilies;
-import dev.carom.oracle.ParabolaFamily;
 import dev.carom.oracle.ParabolaNextFamilies;
 import dev.carom.oracle.ParabolaQuery;
 import dev.carom.oracle.Query;
@@ -84,8 +84,8 @@ class ParabolaBoundsTest {
     Detector whole = Detector.whole();
     List<String> violations = new ArrayList<>();
     Map<String, String> mistakes = new TreeMap<>();
-    for (ParabolaFamily family : families()) {
-      Draw draw = new Draw(SEED * 0x9E3779B97F4A7C15L ^ family.name().hashCode());
+    for (Family<ParabolaQuery> family : families()) {
+      Draw draw = Draw.of(SEED, family.name());
       for (int i = 0; i < (RARE.contains(family.name()) ? 20 : 1) * QUERIES; i++) {
         ParabolaQuery query = family.next(draw);
         if (query.gx() == 0 && query.gy() == 0) {
@@ -114,7 +114,7 @@ class ParabolaBoundsTest {
     Weakening weakening = new Weakening("beside a root", "GapRoot", 0, List.of(2560.0));
     MethodHandle whole = Detector.whole().side;
     MethodHandle without = new Detector(weakening).side;
-    ParabolaFamily family = ParabolaNextFamilies.halfwayToASide();
+    Family<ParabolaQuery> family = ParabolaNextFamilies.halfwayToASide();
     Draw draw = new Draw(SEED);
     int mistakes = 0;
     for (int i = 0; i < 20 * QUERIES; i++) {
@@ -163,8 +163,8 @@ class ParabolaBoundsTest {
     others.put("a long first part of a flight", detector("DirectHit", 0x1p-5, 1));
     others.put("a wide margin", new Detector((name, pool) -> margin(0x1p-10, name, pool)));
     others.put("a narrow margin", new Detector((name, pool) -> margin(0x1p-30, name, pool)));
-    for (ParabolaFamily family : families()) {
-      Draw draw = new Draw(SEED * 0x9E3779B97F4A7C15L ^ family.name().hashCode());
+    for (Family<ParabolaQuery> family : families()) {
+      Draw draw = Draw.of(SEED, family.name());
       for (int i = 0; i < QUERIES / 20; i++) {
         ParabolaQuery query = family.next(draw);
         if (query.gx() == 0 && query.gy() == 0) {
@@ -200,7 +200,7 @@ class ParabolaBoundsTest {
       throws ReflectiveOperationException {
     Detector whole = Detector.whole();
     Detector without = detector(owner, from, to);
-    ParabolaFamily family =
+    Family<ParabolaQuery> family =
         families().stream().filter(f -> f.name().equals(name)).findFirst().orElseThrow();
     Draw draw = new Draw(SEED);
     int mistakes = 0;
@@ -277,7 +277,7 @@ class ParabolaBoundsTest {
         });
   }
 
-  private static List<ParabolaFamily> families() {
+  private static List<Family<ParabolaQuery>> families() {
     return Stream.concat(ParabolaFamilies.all().stream(), ParabolaFamilies.ofMovingLines().stream())
         .toList();
   }

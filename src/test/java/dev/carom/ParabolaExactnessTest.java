@@ -4,22 +4,21 @@ package dev.carom;
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
-import dev.carom.internal.sweep.Contact;
 import dev.carom.internal.sweep.Falls;
 import dev.carom.internal.sweep.Hit;
 import dev.carom.oracle.Answer;
-import dev.carom.oracle.Judge;
-import dev.carom.oracle.MovingLineQuery;
+import dev.carom.oracle.Draw;
+import dev.carom.oracle.Family;
 import dev.carom.oracle.PairQuery;
 import dev.carom.oracle.ParabolaFamilies;
-import dev.carom.oracle.ParabolaFamily;
+import dev.carom.oracle.ParabolaNextFamilies;
 import dev.carom.oracle.ParabolaQuery;
 import dev.carom.oracle.Part;
-import dev.carom.oracle.SegmentQuery;
+import dev.carom.oracle.Question;
 import dev.carom.oracle.Tally;
-import dev.carom.oracle.WallQuery;
+import dev.carom.oracle.Truth;
 import java.util.List;
-import java.util.Optional;
+import java.util.function.BiFunction;
 import java.util.stream.Stream;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
@@ -27,32 +26,32 @@ import org.junit.jupiter.params.provider.EnumSource;
 
 /**
  * The promise of exactness for circles with a constant acceleration: no wrong decision, every time
- * the correctly rounded one, no normal beyond 1e-15, in generated queries of every family.
+ * the correctly rounded one, no normal beyond 1e-15, in generated queries of every family; also for
+ * impacts after a contact, the return to the thing just hit, and later entries.
  *
  * <p>More queries, and others: {@code mvn -pl src test -Dtest=ParabolaExactnessTest
  * -Dcarom.queries=1000000 -Dcarom.seed=2}. Those of some families alone: {@code
  * -Dcarom.families=.*touching.*}. Prints a table. The oracle takes about 0.2 ms a query.
  */
 class ParabolaExactnessTest {
+  private static final double NEVER = Double.POSITIVE_INFINITY;
   private static final long QUERIES = Long.getLong("carom.queries", 3_050);
-  private static final long SEED = Long.getLong("carom.seed", 1);
-  private static final String FAMILIES = System.getProperty("carom.families", ".*");
+  private static final long NEXT_QUERIES = Long.getLong("carom.queries", 1_500);
   private static final int CHUNK = 50;
 
-  private final Judge<ParabolaQuery> judge = new Judge<>(ParabolaExactnessTest::ask);
+  private static List<Family<ParabolaQuery>> families() {
+    return FamilyTallies.chosen(
+        Stream.concat(ParabolaFamilies.all().stream(), ParabolaFamilies.ofMovingLines().stream()));
+  }
 
-  /** Each family has its share of the queries, in chunks that each have their own seed. */
+  /** By the two forms of {@link SweptCircle}. */
+  private static Answer ask(ParabolaQuery query) {
+    return query.straight().ask(LibraryDetector.falling(query.gx(), query.gy()));
+  }
+
   @Test
   void answersGeneratedQueries() {
-    int chunks = (int) Math.max(1, QUERIES / families().size() / CHUNK);
-    FamilyTallies tallies = new FamilyTallies();
-    for (ParabolaFamily family : families()) {
-      tallies.add(
-          family.name(),
-          chunks,
-          chunk -> judge.judge(family.name(), family::next, SEED * 1_000_000 + chunk, CHUNK));
-    }
-    tallies.assertNoFailure();
+    FamilyTallies.judge(ParabolaExactnessTest::ask, families(), QUERIES, CHUNK);
   }
 
   /** Defects of a detector: each must be seen in every answer that it spoils. */
@@ -103,94 +102,124 @@ class ParabolaExactnessTest {
   @EnumSource(Defect.class)
   void noDefectIsOverlooked(Defect defect) {
     long[] spoilt = new long[1];
-    Judge<ParabolaQuery> strict =
-        new Judge<>(
+    Tally tally =
+        FamilyTallies.tally(
             query -> {
               Answer answer = ask(query);
               Answer spoiled = answer.part() == Part.NONE ? answer : defect.spoil(answer);
               spoilt[0] += spoiled.equals(answer) ? 0 : 1;
               return spoiled;
-            });
-    Tally tally = new Tally();
-    for (ParabolaFamily family : families()) {
-      tally = tally.plus(strict.judge(family.name(), family::next, SEED, 3));
-    }
+            },
+            families(),
+            3);
     assertEquals(spoilt[0], tally.failures());
     assertTrue(spoilt[0] > 30);
   }
 
-  private static List<ParabolaFamily> families() {
-    return Stream.concat(ParabolaFamilies.all().stream(), ParabolaFamilies.ofMovingLines().stream())
-        .filter(family -> family.name().matches(FAMILIES))
-        .toList();
-  }
+  // What follows a contact.
 
   /**
-   * {@link SweptCircle} in its two forms, which must agree to the bit. It has none for a moving
-   * line: the sweep itself is asked.
+   * What is hit next.
+   *
+   * @param after the time after which an entry counts; NaN for the return to what is touched
    */
-  private static Answer ask(ParabolaQuery query) {
-    if (query.straight() instanceof MovingLineQuery) {
-      return movingLine(query);
+  private record Next(ParabolaQuery query, double after) implements Question {
+
+    @Override
+    public Truth truth() {
+      return Double.isNaN(after) ? query.truthOfReturn() : query.truthAfter(after);
     }
-    Vec2 g = new Vec2(query.gx(), query.gy());
-    if (query.straight() instanceof SegmentQuery q) {
-      return line(q, g);
+
+    @Override
+    public boolean isFair() {
+      return true;
     }
-    return query.straight() instanceof PairQuery q
-        ? pair(q, g)
-        : bounds((WallQuery) query.straight(), g);
-  }
 
-  private static Answer movingLine(ParabolaQuery query) {
-    double time = Falls.timeOfLine(query.numbers(query.end()));
-    if (time == Double.POSITIVE_INFINITY) {
-      return Answer.MISS;
+    @Override
+    public String hex() {
+      return query.hex() + ", after " + after;
     }
-    int contact = Falls.contact(query.numbers(time));
-    Hit hit = new Hit().of(Falls.line(query.numbers()), contact, time);
-    return new Answer(time, part(contact), hit.nx(), hit.ny());
-  }
 
-  private static Part part(int contact) {
-    return switch (Contact.withoutTime(contact)) {
-      case Contact.START -> Part.START;
-      case Contact.END -> Part.END;
-      default -> Part.SIDE;
-    };
-  }
-
-  private static Answer line(SegmentQuery q, Vec2 g) {
-    SweptCircle circle = new SweptCircle(q.px(), q.py(), q.r(), q.vx(), q.vy(), g.x(), g.y());
-    double time = circle.timeToLine(q.ax(), q.ay(), q.bx(), q.by(), q.end());
-    return answer(time, circle.cast(new Line(q.ax(), q.ay(), q.bx(), q.by()), q.end()));
-  }
-
-  private static Answer pair(PairQuery q, Vec2 g) {
-    SweptCircle first = new SweptCircle(q.x1(), q.y1(), q.r1(), q.vx1(), q.vy1(), g.x(), g.y());
-    SweptCircle second = new SweptCircle(q.x2(), q.y2(), q.r2(), q.vx2(), q.vy2());
-    Answer answer = answer(first.timeToCircle(second, q.end()), first.cast(second, q.end()));
-    if (q.isPeg()) {
-      double peg = first.timeToPeg(q.x2(), q.y2(), q.r2(), q.end());
-      Answer same = answer(peg, first.cast(second.at(0), q.end()));
-      assertEquals(answer, same, "the second circle at rest is a peg");
+    /** By the sweep itself. The normal of an end or a disk is that of a rounded place. */
+    Answer ask() {
+      boolean isReturn = Double.isNaN(after);
+      if (query.straight() instanceof PairQuery q) {
+        double time =
+            isReturn
+                ? Falls.returnToDisk(
+                    q.x1(),
+                    q.y1(),
+                    q.vx1(),
+                    q.vy1(),
+                    query.gx(),
+                    query.gy(),
+                    q.x2(),
+                    q.y2(),
+                    q.vx2(),
+                    q.vy2(),
+                    q.end())
+                : Falls.timeOfDiskAfter(query.numbers(after, q.end()));
+        return answer(time, Part.CIRCLE, 0);
+      }
+      double[] end = isReturn ? query.numbers(query.end()) : query.numbers(after, query.end());
+      double time = isReturn ? Falls.returnToLine(end) : Falls.timeOfLineAfter(end);
+      if (time == NEVER) {
+        return Answer.MISS;
+      }
+      double[] at = query.numbers(time);
+      int contact = isReturn ? Falls.contactOfReturn(at) : Falls.contact(at);
+      return answer(time, Falls.part(contact), contact);
     }
-    return answer;
+
+    private Answer answer(double time, Part part, int contact) {
+      if (time == NEVER) {
+        return Answer.MISS;
+      }
+      if (part == Part.SIDE) {
+        Hit hit = new Hit().of(Falls.line(query.numbers()), contact, time);
+        return new Answer(time, part, hit.nx(), hit.ny());
+      }
+      Truth truth = truth();
+      return truth.hit()
+          ? new Answer(time, part, truth.normal().x().near(), truth.normal().y().near())
+          : new Answer(time, part, 0, 0);
+    }
   }
 
-  private static Answer bounds(WallQuery q, Vec2 g) {
-    SweptCircle circle = new SweptCircle(q.px(), q.py(), q.r(), q.vx(), q.vy(), g.x(), g.y());
-    double time = circle.timeToBounds(q.xmin(), q.ymin(), q.xmax(), q.ymax(), q.end());
-    Bounds bounds = new Bounds(q.xmin(), q.ymin(), q.xmax(), q.ymax());
-    return answer(time, circle.cast(bounds, q.end()));
+  @Test
+  void returnsAreTheTrueOnes() {
+    judge(ParabolaNextFamilies.ofReturns(), (query, d) -> new Next(query, Double.NaN));
   }
 
-  private static Answer answer(double time, Optional<Impact> impact) {
-    double castTime = impact.map(Impact::time).orElse(Double.POSITIVE_INFINITY);
-    assertEquals(time, castTime, "the hot and the friendly form differ in time");
-    return impact
-        .map(
-            i -> new Answer(time, Part.valueOf(i.feature().name()), i.normal().x(), i.normal().y()))
-        .orElse(Answer.MISS);
+  @Test
+  void laterEntriesAreTheTrueOnes() {
+    judge(ParabolaNextFamilies.ofEntries(), ParabolaExactnessTest::entry);
+  }
+
+  private static void judge(
+      List<Family<ParabolaQuery>> families, BiFunction<ParabolaQuery, Draw, Next> next) {
+    FamilyTallies.judge(
+        Next::ask,
+        FamilyTallies.chosen(
+            families.stream()
+                .map(base -> new Family<>(base.name(), d -> next.apply(base.next(d), d)))),
+        NEXT_QUERIES,
+        (int) Math.max(1, Math.min(CHUNK, NEXT_QUERIES / families.size())));
+  }
+
+  /** After one of the times around the entries. */
+  private static Next entry(ParabolaQuery query, Draw d) {
+    double first = query.truthAfter(-1).time();
+    double s =
+        switch (d.whole(0, 7)) {
+          case 0 -> -1;
+          case 1 -> 0;
+          case 2 -> Math.nextDown(first);
+          case 3 -> Math.nextUp(first);
+          case 4 -> Math.min(query.end(), 8) / d.whole(1, 5);
+          case 5 -> first < NEVER ? query.truthAfter(first).time() : NEVER;
+          default -> first;
+        };
+    return new Next(query, s == NEVER ? -1 : s);
   }
 }

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 package dev.carom;
 
-import dev.carom.internal.sweep.Contact;
 import dev.carom.internal.sweep.DiskSweep;
+import dev.carom.internal.sweep.Falls;
 import dev.carom.internal.sweep.SegmentSweep;
 import dev.carom.internal.sweep.SphereSweep;
 import dev.carom.internal.sweep.WallSweep;
@@ -98,7 +98,7 @@ final class PatchedDetector {
       if (pair && time != (double) sphereTime.invokeExact(inSpace(arguments))) {
         return new Reply(Part.CIRCLE, Double.NaN);
       }
-      return reply(pair ? Part.CIRCLE : linePart(contact & ~Contact.NOW), time);
+      return reply(pair ? Part.CIRCLE : Falls.part(contact), time);
     } catch (ArithmeticException e) {
       return new Reply(null, Double.NaN);
     } catch (RuntimeException | Error e) {
@@ -130,10 +130,6 @@ final class PatchedDetector {
 
   private static Reply reply(Part part, double time) {
     return new Reply(time == Double.POSITIVE_INFINITY ? Part.NONE : part, time);
-  }
-
-  private static Part linePart(int contact) {
-    return contact == Contact.START ? Part.START : contact == Contact.END ? Part.END : Part.SIDE;
   }
 
   /**

@@ -53,12 +53,12 @@ class RoundingBoundsTest {
 
   @Test
   void everyBoundHoldsAndIsNeeded() {
-    List<Family> families = new ArrayList<>(Families.all());
+    List<Family<Query>> families = new ArrayList<>(Families.all());
     families.addAll(Families.ofMovingLines());
     families.addAll(Brinks.all());
     long chunks = Math.max(1, QUERIES / families.size() / CHUNK);
     for (long chunk = 0; chunk < chunks; chunk++) {
-      for (Family family : families) {
+      for (Family<Query> family : families) {
         ask(family, SEED * 1_000_000 + chunk);
       }
     }
@@ -69,8 +69,8 @@ class RoundingBoundsTest {
     slacks.forEach(RoundingBoundsTest::assertNeeded);
   }
 
-  private void ask(Family family, long seed) {
-    Draw draw = new Draw(seed * 0x9E3779B97F4A7C15L ^ family.name().hashCode());
+  private void ask(Family<Query> family, long seed) {
+    Draw draw = Draw.of(seed, family.name());
     List<Query> queries = Stream.generate(() -> family.next(draw)).limit(CHUNK).toList();
     List<Known> known = queries.stream().map(this::known).toList();
     slacks.parallelStream().forEach(slack -> ask(slack, family.name(), known));

@@ -25,15 +25,15 @@ class SeparationTest {
   private static final long SEED = Long.getLong("carom.seed", 1);
   private static final double LARGEST = 0x1p1022;
 
-  static Stream<Family> families() {
+  static Stream<Family<Query>> families() {
     return Families.all().stream();
   }
 
   /** The circles, lines and bounds of all kinds of queries, each radius made larger at random. */
   @ParameterizedTest
   @MethodSource("families")
-  void movesOutAndNoFurther(Family family) {
-    Draw draw = new Draw(SEED * 0x9E3779B97F4A7C15L ^ family.name().hashCode());
+  void movesOutAndNoFurther(Family<Query> family) {
+    Draw draw = Draw.of(SEED, family.name());
     int moved = 0;
     for (int i = 0; i < QUERIES; i++) {
       Query query = family.next(draw);

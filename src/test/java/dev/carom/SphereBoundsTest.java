@@ -35,7 +35,7 @@ class SphereBoundsTest {
   private final PatchedDetector exact = PatchedDetector.exact();
 
   private static List<SphereQuery> queries(String family) {
-    Draw draw = new Draw(SEED * 0x9E3779B97F4A7C15L ^ family.hashCode());
+    Draw draw = Draw.of(SEED, family);
     return IntStream.range(0, QUERIES).mapToObj(i -> SphereFamilies.next(family, draw)).toList();
   }
 

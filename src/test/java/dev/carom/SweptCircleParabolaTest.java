@@ -7,9 +7,7 @@ import static org.assertj.core.api.Assertions.within;
 import dev.carom.oracle.Draw;
 import dev.carom.oracle.Families;
 import dev.carom.oracle.Family;
-import dev.carom.oracle.PairQuery;
 import dev.carom.oracle.Query;
-import dev.carom.oracle.SegmentQuery;
 import java.util.Optional;
 import java.util.Random;
 import java.util.stream.Stream;
@@ -175,34 +173,23 @@ class SweptCircleParabolaTest {
         .isEqualTo(2);
   }
 
-  static Stream<Family> families() {
+  static Stream<Family<Query>> families() {
     return Families.all().stream();
   }
 
   /** Without acceleration the answers are those of the straight forms, bit for bit. */
   @ParameterizedTest
   @MethodSource("families")
-  void noAccelerationGivesTheBitsOfTheStraightForms(Family family) {
+  void noAccelerationGivesTheBitsOfTheStraightForms(Family<Query> family) {
     Draw draw = new Draw(11);
     for (int i = 0; i < 100; i++) {
       Query query = family.next(draw);
-      double[] n = query.numbers();
-      assertThat(time(query, n, 0.0)).as(query.hex()).isEqualTo(time(query, n, Double.NaN));
-      assertThat(time(query, n, -0.0)).as(query.hex()).isEqualTo(time(query, n, Double.NaN));
+      double straight = query.ask(LibraryDetector.STRAIGHT).time();
+      for (double none : new double[] {0.0, -0.0}) {
+        double time = query.ask(LibraryDetector.falling(none, none)).time();
+        assertThat(time).as(query.hex()).isEqualTo(straight);
+      }
     }
-  }
-
-  /** With the acceleration (g, g), or, if that is NaN, without one. */
-  private static double time(Query query, double[] n, double g) {
-    int k = query instanceof SegmentQuery ? 4 : 0;
-    SweptCircle straight = new SweptCircle(n[k], n[k + 1], n[k + 2], n[k + 3], n[k + 4]);
-    SweptCircle circle = Double.isNaN(g) ? straight : straight.withAcceleration(g, g);
-    if (query instanceof SegmentQuery) {
-      return circle.timeToLine(n[0], n[1], n[2], n[3], n[9]);
-    }
-    return query instanceof PairQuery
-        ? circle.timeToCircle(new SweptCircle(n[5], n[6], n[7], n[8], n[9]), n[10])
-        : circle.timeToBounds(n[5], n[6], n[7], n[8], n[9]);
   }
 
   // Where both move.

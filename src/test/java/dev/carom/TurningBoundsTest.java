@@ -5,8 +5,8 @@ import static org.assertj.core.api.Assertions.assertThat;
 
 import dev.carom.internal.sweep.TurningFalls;
 import dev.carom.oracle.Draw;
+import dev.carom.oracle.Family;
 import dev.carom.oracle.TurningFamilies;
-import dev.carom.oracle.TurningFamily;
 import dev.carom.oracle.TurningQuery;
 import java.lang.reflect.Method;
 import java.util.ArrayList;
@@ -50,10 +50,10 @@ class TurningBoundsTest {
     }
     List<String> violations = new ArrayList<>();
     Map<String, String> mistakes = new TreeMap<>();
-    List<TurningFamily> families =
+    List<Family<TurningQuery>> families =
         TurningFamilies.all().stream().filter(f -> f.name().matches(FAMILIES)).toList();
-    for (TurningFamily family : families) {
-      Draw draw = new Draw(SEED * 0x9E3779B97F4A7C15L ^ family.name().hashCode());
+    for (Family<TurningQuery> family : families) {
+      Draw draw = Draw.of(SEED, family.name());
       for (int i = 0; i < QUERIES / families.size(); i++) {
         TurningQuery query = family.next(draw);
         double[] n = query.numbers();

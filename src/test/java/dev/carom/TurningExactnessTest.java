@@ -5,14 +5,14 @@ import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import dev.carom.internal.sweep.Contact;
+import dev.carom.internal.sweep.Falls;
 import dev.carom.internal.sweep.Hit;
 import dev.carom.internal.sweep.TurningFalls;
 import dev.carom.oracle.Answer;
-import dev.carom.oracle.Judge;
+import dev.carom.oracle.Family;
 import dev.carom.oracle.Part;
 import dev.carom.oracle.Tally;
 import dev.carom.oracle.TurningFamilies;
-import dev.carom.oracle.TurningFamily;
 import dev.carom.oracle.TurningQuery;
 import dev.carom.oracle.TurningQuery.Kind;
 import java.util.List;
@@ -31,46 +31,30 @@ import org.junit.jupiter.api.Test;
 class TurningExactnessTest {
   private static final double NEVER = Double.POSITIVE_INFINITY;
   private static final long QUERIES = Long.getLong("carom.queries", 1_320);
-  private static final long SEED = Long.getLong("carom.seed", 1);
-  private static final String FAMILIES = System.getProperty("carom.families", ".*");
   private static final int CHUNK = 20;
 
-  private final Judge<TurningQuery> judge = new Judge<>(TurningExactnessTest::ask);
+  private static List<Family<TurningQuery>> families() {
+    return FamilyTallies.chosen(TurningFamilies.all().stream());
+  }
 
   @Test
   void answersGeneratedQueries() {
-    int chunks = (int) Math.max(1, QUERIES / families().size() / CHUNK);
-    FamilyTallies tallies = new FamilyTallies();
-    for (TurningFamily family : families()) {
-      tallies.add(
-          family.name(),
-          chunks,
-          chunk -> judge.judge(family.name(), family::next, SEED * 1_000_000 + chunk, CHUNK));
-    }
-    tallies.assertNoFailure();
+    FamilyTallies.judge(TurningExactnessTest::ask, families(), QUERIES, CHUNK);
   }
 
   /** A detector that takes the thing to turn evenly, not as the rational motion does, is seen. */
   @Test
   void anotherMotionIsNotOverlooked() {
-    Judge<TurningQuery> strict =
-        new Judge<>(
+    Tally tally =
+        FamilyTallies.tally(
             query -> {
               double[] n = query.numbers();
               n[14] = n[14] * (1 + 0x1p-40) + 0x1p-40 * n[15]; // q1
               return ask(TurningQuery.of(query.kind(), n));
-            });
-    Tally tally = new Tally();
-    for (TurningFamily family : families()) {
-      tally = tally.plus(strict.judge(family.name(), family::next, SEED, 5));
-    }
+            },
+            families(),
+            5);
     assertTrue(tally.notNearest() + tally.wrongDecisions() > 50, tally.row("another motion"));
-  }
-
-  private static List<TurningFamily> families() {
-    return TurningFamilies.all().stream()
-        .filter(family -> family.name().matches(FAMILIES))
-        .toList();
   }
 
   private static Answer ask(TurningQuery q) {
@@ -82,7 +66,7 @@ class TurningExactnessTest {
     boolean isReturn = q.kind() == Kind.RETURN;
     int contact = (int) answer[1];
     assertEquals(time == 0, (contact & Contact.NOW) != 0);
-    Part part = q.isLine() ? part(contact) : Part.CIRCLE;
+    Part part = q.isLine() ? Falls.part(contact) : Part.CIRCLE;
     if (isReturn && part != Part.SIDE) {
       // Of an end that is touched by definition the normal is that of a rounded place.
       return new Answer(time, part, q.truth().normal().x().near(), q.truth().normal().y().near());
@@ -97,13 +81,5 @@ class TurningExactnessTest {
                 q.isLine() || time > 0 ? contact : Contact.NOW,
                 time);
     return new Answer(time, part, hit.nx(), hit.ny());
-  }
-
-  private static Part part(int contact) {
-    return switch (Contact.withoutTime(contact)) {
-      case Contact.START -> Part.START;
-      case Contact.END -> Part.END;
-      default -> Part.SIDE;
-    };
   }
 }

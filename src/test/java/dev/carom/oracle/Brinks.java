@@ -11,18 +11,18 @@ import java.util.List;
 public final class Brinks {
   private Brinks() {}
 
-  public static List<Family> all() {
+  public static List<Family<Query>> all() {
     return List.of(
-        new Family("brink_along_line", Brinks::alongLine),
-        new Family("brink_beyond_end", Brinks::beyondEnd),
-        new Family("brink_across", Brinks::across),
-        new Family("brink_wall", Brinks::wall),
-        new Family("brink_short_graze", Brinks::shortGraze),
-        new Family("brink_seg_units", Brinks::segmentUnits),
-        new Family("brink_seg_units_window_end", Brinks::segmentWindow),
-        new Family("brink_seg_squares", Brinks::squares),
-        new Family("brink_circ_units", Brinks::pairUnits),
-        new Family("brink_circ_window_end", Brinks::pairWindow));
+        Family.mirrored("brink_along_line", Brinks::alongLine),
+        Family.mirrored("brink_beyond_end", Brinks::beyondEnd),
+        Family.mirrored("brink_across", Brinks::across),
+        Family.mirrored("brink_wall", Brinks::wall),
+        Family.mirrored("brink_short_graze", Brinks::shortGraze),
+        Family.mirrored("brink_seg_units", Brinks::segmentUnits),
+        Family.mirrored("brink_seg_units_window_end", Brinks::segmentWindow),
+        Family.mirrored("brink_seg_squares", Brinks::squares),
+        Family.mirrored("brink_circ_units", Brinks::pairUnits),
+        Family.mirrored("brink_circ_window_end", Brinks::pairWindow));
   }
 
   /** Coordinates of different magnitudes, whose differences are rounded. */

@@ -11,6 +11,11 @@ public final class Draw {
     this.random = new SplittableRandom(seed);
   }
 
+  /** Those of a seed for a family. */
+  public static Draw of(long seed, String family) {
+    return new Draw(seed * 0x9E3779B97F4A7C15L ^ family.hashCode());
+  }
+
   /** A plain vector of doubles, to build queries with. */
   record Point(double x, double y) {
     Point plus(Point other) {
@@ -47,7 +52,7 @@ public final class Draw {
   }
 
   /** A whole number in low..high, both included. */
-  int whole(int low, int high) {
+  public int whole(int low, int high) {
     return random.nextInt(low, high + 1);
   }
 

@@ -4,24 +4,34 @@ package dev.carom.oracle;
 import java.util.function.Function;
 
 /**
- * A kind of query.
+ * A kind of question.
  *
- * @param name as in the files of cases
+ * @param name as in tables and in the files of cases
  * @param generator makes one
  */
-public record Family(String name, Function<Draw, Query> generator) {
+public record Family<Q extends Question>(String name, Function<Draw, Q> generator) {
+
+  /** The next question that makes sense. */
+  public Q next(Draw d) {
+    Q question = generator.apply(d);
+    while (!question.isFair()) {
+      question = generator.apply(d);
+    }
+    return question;
+  }
 
   /**
-   * The next query, mirrored at random, so that no direction is preferred. All numbers are finite,
-   * but for the end of the window, which sometimes is not.
+   * A family of queries that are mirrored at random, so that no direction is preferred. The end of
+   * the window sometimes is infinite.
    */
-  public Query next(Draw d) {
-    Query query = generator.apply(d);
-    while (!query.isFinite()) {
-      query = generator.apply(d);
-    }
+  static Family<Query> mirrored(String name, Function<Draw, Query> generator) {
+    Family<Query> plain = new Family<>(name, generator);
+    return new Family<>(name, d -> mirrored(d, plain.next(d), !name.endsWith("window_end")));
+  }
+
+  private static Query mirrored(Draw d, Query query, boolean anyWindow) {
     double[] n = query.numbers();
-    if (!name.endsWith("window_end")) {
+    if (anyWindow) {
       n[n.length - 1] = window(d, n[n.length - 1]);
     }
     return Mirror.any(d, query.with(n));

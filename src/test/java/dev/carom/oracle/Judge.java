@@ -17,11 +17,11 @@ public final class Judge<Q extends Question> {
   }
 
   /** Asks for queries of a family and judges the answers; a seed always gives the same queries. */
-  public Tally judge(String family, Function<Draw, Q> next, long seed, int queries) {
-    Draw draw = new Draw(seed * 0x9E3779B97F4A7C15L ^ family.hashCode());
+  public Tally judge(Family<Q> family, long seed, int queries) {
+    Draw draw = Draw.of(seed, family.name());
     Tally tally = new Tally();
     for (int i = 0; i < queries; i++) {
-      judge(next.apply(draw), tally, family + ", seed " + seed + ", query " + i);
+      judge(family.next(draw), tally, family.name() + ", seed " + seed + ", query " + i);
     }
     return tally;
   }

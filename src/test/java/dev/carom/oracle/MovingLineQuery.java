@@ -23,8 +23,8 @@ public record MovingLineQuery(
     implements Query {
 
   /** A family of such queries, each made of one about a line at rest: all goes with u besides. */
-  static Family of(Family still) {
-    return new Family("moving_" + still.name(), draw -> of(draw, still.next(draw)));
+  static Family<Query> of(Family<Query> still) {
+    return Family.mirrored("moving_" + still.name(), draw -> of(draw, still.next(draw)));
   }
 
   /** The same contact, but for rounding, on a line that moves with a velocity u. */

@@ -23,7 +23,7 @@ class OracleTest {
     return CaseFile.names().stream();
   }
 
-  static Stream<Family> families() {
+  static Stream<Family<Query>> families() {
     return Families.all().stream();
   }
 
@@ -92,7 +92,7 @@ class OracleTest {
   private static Tally total(Judge<Query> judge, String name) {
     return families()
         .filter(family -> family.name().equals(name))
-        .map(family -> judge.judge(name, family::next, 1, 1000))
+        .map(family -> judge.judge(family, 1, 1000))
         .findFirst()
         .orElseThrow();
   }

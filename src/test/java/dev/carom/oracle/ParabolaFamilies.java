@@ -14,50 +14,48 @@ import java.util.List;
 public final class ParabolaFamilies {
   private ParabolaFamilies() {}
 
-  public static List<ParabolaFamily> all() {
-    List<ParabolaFamily> all = new ArrayList<>();
-    for (Family straight : Families.all()) {
-      all.add(new ParabolaFamily(straight.name(), d -> bent(d, straight.next(d))));
+  public static List<Family<ParabolaQuery>> all() {
+    List<Family<ParabolaQuery>> all = new ArrayList<>();
+    for (Family<Query> straight : Families.all()) {
+      all.add(new Family<>(straight.name(), d -> bent(d, straight.next(d))));
     }
-    all.add(new ParabolaFamily("lattice", ParabolaFamilies::lattice));
-    all.add(new ParabolaFamily("graze", ParabolaFamilies::graze));
-    all.add(new ParabolaFamily("near_graze", ParabolaFamilies::nearGraze));
-    all.add(new ParabolaFamily("osculating", ParabolaFamilies::osculating));
-    all.add(new ParabolaFamily("apex", ParabolaFamilies::apex));
-    all.add(new ParabolaFamily("supported", ParabolaFamilies::supported));
-    all.add(new ParabolaFamily("turning_inside", ParabolaFamilies::turningInside));
-    all.add(new ParabolaFamily("bounce", ParabolaFamilies::bounce));
-    all.add(new ParabolaFamily("tiny_gravity", d -> gravity(d, 1e-300, 1e-12)));
-    all.add(new ParabolaFamily("huge_gravity", d -> gravity(d, 1e6, 1e15)));
-    all.add(new ParabolaFamily("along", ParabolaFamilies::along));
-    all.add(new ParabolaFamily("no_gravity", d -> new ParabolaQuery(any(d), 0, 0)));
-    all.add(new ParabolaFamily("resting", ParabolaFamilies::resting));
-    all.add(new ParabolaFamily("scaled", ParabolaFamilies::scaled));
-    all.add(new ParabolaFamily("halfway", ParabolaFamilies::halfway));
-    all.add(new ParabolaFamily("halfway_side", ParabolaFamilies::halfwayToASide));
-    all.add(new ParabolaFamily("touching_side", ParabolaFamilies::touchingSide));
-    all.add(new ParabolaFamily("touching_disk", ParabolaFamilies::touchingDisk));
-    all.add(new ParabolaFamily("touching_short_line", ParabolaFamilies::touchingShortLine));
-    all.add(new ParabolaFamily("halfway_wall", ParabolaFamilies::halfwayToAWall));
-    all.add(new ParabolaFamily("ceiling", ParabolaFamilies::ceiling));
-    all.add(new ParabolaFamily("underflow", ParabolaFamilies::underflow));
-    all.add(new ParabolaFamily("voronoi", ParabolaFamilies::voronoi));
-    all.add(new ParabolaFamily("shallow_end", ParabolaFamilies::shallowEnd));
-    all.add(new ParabolaFamily("window_end", ParabolaFamilies::windowEnd));
+    all.add(new Family<>("lattice", ParabolaFamilies::lattice));
+    all.add(new Family<>("graze", ParabolaFamilies::graze));
+    all.add(new Family<>("near_graze", ParabolaFamilies::nearGraze));
+    all.add(new Family<>("osculating", ParabolaFamilies::osculating));
+    all.add(new Family<>("apex", ParabolaFamilies::apex));
+    all.add(new Family<>("supported", ParabolaFamilies::supported));
+    all.add(new Family<>("turning_inside", ParabolaFamilies::turningInside));
+    all.add(new Family<>("bounce", ParabolaFamilies::bounce));
+    all.add(new Family<>("tiny_gravity", d -> gravity(d, 1e-300, 1e-12)));
+    all.add(new Family<>("huge_gravity", d -> gravity(d, 1e6, 1e15)));
+    all.add(new Family<>("along", ParabolaFamilies::along));
+    all.add(new Family<>("no_gravity", d -> new ParabolaQuery(any(d), 0, 0)));
+    all.add(new Family<>("resting", ParabolaFamilies::resting));
+    all.add(new Family<>("scaled", ParabolaFamilies::scaled));
+    all.add(new Family<>("halfway", ParabolaFamilies::halfway));
+    all.add(new Family<>("halfway_side", ParabolaFamilies::halfwayToASide));
+    all.add(new Family<>("touching_side", ParabolaFamilies::touchingSide));
+    all.add(new Family<>("touching_disk", ParabolaFamilies::touchingDisk));
+    all.add(new Family<>("touching_short_line", ParabolaFamilies::touchingShortLine));
+    all.add(new Family<>("halfway_wall", ParabolaFamilies::halfwayToAWall));
+    all.add(new Family<>("ceiling", ParabolaFamilies::ceiling));
+    all.add(new Family<>("underflow", ParabolaFamilies::underflow));
+    all.add(new Family<>("voronoi", ParabolaFamilies::voronoi));
+    all.add(new Family<>("shallow_end", ParabolaFamilies::shallowEnd));
+    all.add(new Family<>("window_end", ParabolaFamilies::windowEnd));
     return all;
   }
 
   /** The families with a line in them; all goes with the velocity of the line besides. */
-  public static List<ParabolaFamily> ofMovingLines() {
+  public static List<Family<ParabolaQuery>> ofMovingLines() {
     return all().stream()
         .filter(family -> !family.name().matches("(circ|wall|halfway|ceiling|no_gravity).*"))
-        .map(
-            still ->
-                new ParabolaFamily("moving_" + still.name(), d -> moving(d, still, still.next(d))))
+        .map(still -> new Family<>("moving_" + still.name(), d -> moving(d, still, still.next(d))))
         .toList();
   }
 
-  private static ParabolaQuery moving(Draw d, ParabolaFamily family, ParabolaQuery first) {
+  private static ParabolaQuery moving(Draw d, Family<ParabolaQuery> family, ParabolaQuery first) {
     ParabolaQuery still = first;
     while (!(still.straight() instanceof SegmentQuery)) {
       still = family.next(d);
@@ -77,7 +75,7 @@ public final class ParabolaFamilies {
   }
 
   private static Query any(Draw d) {
-    List<Family> families = Families.all();
+    List<Family<Query>> families = Families.all();
     return families.get(d.whole(0, families.size() - 1)).next(d);
   }
 
@@ -525,7 +523,7 @@ public final class ParabolaFamilies {
   }
 
   private static ParabolaQuery endingAtImpact(Draw d, ParabolaQuery q) {
-    if (!q.isFinite()) {
+    if (!q.isFair()) {
       return q;
     }
     double[] n = q.straight().numbers();

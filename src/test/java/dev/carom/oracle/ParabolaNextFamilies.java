@@ -13,10 +13,9 @@ public final class ParabolaNextFamilies {
   private ParabolaNextFamilies() {}
 
   /** From every family with a circle or a line: the moment after the impact. */
-  public static List<ParabolaFamily> ofReturns() {
-    Stream<ParabolaFamily> after =
-        still()
-            .map(base -> new ParabolaFamily("return_" + base.name(), d -> after(d, base.next(d))));
+  public static List<Family<ParabolaQuery>> ofReturns() {
+    Stream<Family<ParabolaQuery>> after =
+        still().map(base -> new Family<>("return_" + base.name(), d -> after(d, base.next(d))));
     return Stream.concat(after, Stream.of(halfwayToASide())).toList();
   }
 
@@ -24,8 +23,8 @@ public final class ParabolaNextFamilies {
    * Back at the side of a line halfway between two doubles, up to about 2^-106 of the terms: the
    * velocity of the disk less that of the line has so many bits.
    */
-  public static ParabolaFamily halfwayToASide() {
-    return new ParabolaFamily("return_halfway_side", ParabolaNextFamilies::halfwayToASide);
+  public static Family<ParabolaQuery> halfwayToASide() {
+    return new Family<>("return_halfway_side", ParabolaNextFamilies::halfwayToASide);
   }
 
   private static ParabolaQuery halfwayToASide(Draw d) {
@@ -50,19 +49,19 @@ public final class ParabolaNextFamilies {
   }
 
   /** From every family with a circle or a line: through it, and back again. */
-  public static List<ParabolaFamily> ofEntries() {
+  public static List<Family<ParabolaQuery>> ofEntries() {
     return still()
-        .map(base -> new ParabolaFamily("entry_" + base.name(), d -> through(d, base.next(d))))
+        .map(base -> new Family<>("entry_" + base.name(), d -> through(d, base.next(d))))
         .toList();
   }
 
-  private static Stream<ParabolaFamily> still() {
+  private static Stream<Family<ParabolaQuery>> still() {
     return Stream.concat(ParabolaFamilies.all().stream(), ParabolaFamilies.ofMovingLines().stream())
         .filter(family -> !family.name().matches("(wall|halfway_wall|ceiling|no_gravity).*"))
-        .map(family -> new ParabolaFamily(family.name(), d -> withoutWalls(d, family)));
+        .map(family -> new Family<>(family.name(), d -> withoutWalls(d, family)));
   }
 
-  private static ParabolaQuery withoutWalls(Draw d, ParabolaFamily family) {
+  private static ParabolaQuery withoutWalls(Draw d, Family<ParabolaQuery> family) {
     ParabolaQuery query = family.next(d);
     while (query.straight() instanceof WallQuery) {
       query = family.next(d);

@@ -85,15 +85,15 @@ class ParabolaOracleTest {
   void theJudgeSeesThatNothingIsEverHit() {
     Judge<ParabolaQuery> judge = new Judge<>(query -> Answer.MISS);
     Tally tally = new Tally();
-    for (ParabolaFamily family : ParabolaFamilies.all()) {
-      tally = tally.plus(judge.judge(family.name(), family::next, 1, 2));
+    for (Family<ParabolaQuery> family : ParabolaFamilies.all()) {
+      tally = tally.plus(judge.judge(family, 1, 2));
     }
     assertThat(tally.wrongDecisions()).isEqualTo(tally.hits).isGreaterThan(40);
   }
 
   @Test
   void theJudgeSeesATimeAnUlpOff() {
-    ParabolaFamily uniform = ParabolaFamilies.all().get(0);
+    Family<ParabolaQuery> uniform = ParabolaFamilies.all().get(0);
     Judge<ParabolaQuery> judge =
         new Judge<>(
             query -> {
@@ -103,7 +103,7 @@ class ParabolaOracleTest {
                   ? new Answer(Math.nextUp(truth.time()), truth.part(), n.x().near(), n.y().near())
                   : Answer.MISS;
             });
-    Tally tally = judge.judge(uniform.name(), uniform::next, 1, 20);
+    Tally tally = judge.judge(uniform, 1, 20);
     assertThat(tally.notNearest()).isEqualTo(tally.hits).isPositive();
     assertThat(tally.wrongDecisions()).isZero();
     assertThat(tally.badNormals).isZero();

@@ -14,17 +14,19 @@ public record ParabolaQuery(Query straight, double gx, double gy) implements Que
 
   @Override
   public ParabolaContact truth() {
-    return ParabolaOracle.answer(this);
+    return straight instanceof WallQuery q
+        ? CurveOracle.bounds(q, gx, gy)
+        : CurveOracle.of(this).first();
   }
 
   /** The exact first contact from outside with a rounded time above s; -1 for any. */
   public ParabolaContact truthAfter(double s) {
-    return ParabolaOracle.after(this, s);
+    return CurveOracle.of(this).entry(s);
   }
 
   /** The exact next contact with a thing that is touched at the start. */
   public ParabolaContact truthOfReturn() {
-    return ParabolaReturnOracle.answer(this);
+    return gx == 0 && gy == 0 ? ParabolaContact.MISS : CurveOracle.of(this).back();
   }
 
   /** The end of the window. */
@@ -56,7 +58,8 @@ public record ParabolaQuery(Query straight, double gx, double gy) implements Que
     return straight.hex() + ", gx " + Double.toHexString(gx) + ", gy " + Double.toHexString(gy);
   }
 
-  boolean isFinite() {
-    return straight.isFinite() && Double.isFinite(gx) && Double.isFinite(gy);
+  @Override
+  public boolean isFair() {
+    return straight.isFair() && Double.isFinite(gx) && Double.isFinite(gy);
   }
 }

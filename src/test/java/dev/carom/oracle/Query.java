@@ -24,8 +24,8 @@ public sealed interface Query extends Question
   /** A query of the same kind with other numbers. */
   Query with(double... numbers);
 
-  /** Whether all numbers but the end of the window are finite. */
-  default boolean isFinite() {
+  @Override
+  default boolean isFair() {
     double[] numbers = numbers();
     return DoubleStream.of(numbers).limit(numbers.length - 1L).allMatch(Double::isFinite);
   }

@@ -7,6 +7,11 @@ public interface Question {
   /** The exact answer. */
   Truth truth();
 
+  /**
+   * Whether it makes sense; as a rule, whether all numbers but the end of the window are finite.
+   */
+  boolean isFair();
+
   /** Every number as a hexadecimal double. */
   String hex();
 }

@@ -16,36 +16,36 @@ public final class TurningFamilies {
 
   private TurningFamilies() {}
 
-  public static List<TurningFamily> all() {
-    List<TurningFamily> first = new ArrayList<>();
-    first.add(new TurningFamily("uniform", TurningFamilies::uniform));
-    first.add(new TurningFamily("side", d -> query(d, new Contact(d).side(d))));
-    first.add(new TurningFamily("end", d -> query(d, new Contact(d).end(d))));
-    first.add(new TurningFamily("peg", d -> query(d, new Contact(d).peg(d))));
-    first.add(new TurningFamily("graze_side", d -> query(d, new Contact(d).side(d).graze(d))));
-    first.add(new TurningFamily("graze_end", d -> query(d, new Contact(d).end(d).graze(d))));
-    first.add(new TurningFamily("graze_peg", d -> query(d, new Contact(d).peg(d).graze(d))));
-    first.add(new TurningFamily("touching", d -> query(d, any(d).now(d))));
-    first.add(new TurningFamily("overlapping", d -> query(d, any(d).now(d).inside(d))));
-    first.add(new TurningFamily("corner", d -> query(d, new Contact(d).corner(d))));
-    first.add(new TurningFamily("extension", d -> query(d, new Contact(d).extension(d))));
-    first.add(new TurningFamily("fast", d -> query(d, any(d).fast(d))));
-    first.add(new TurningFamily("slow_turn", d -> query(d, any(d).slowTurn(d))));
-    first.add(new TurningFamily("at_rest", d -> query(d, any(d).atRest())));
-    first.add(new TurningFamily("riding", d -> query(d, any(d).riding(d))));
-    first.add(new TurningFamily("ray", d -> query(d, any(d).ray())));
-    first.add(new TurningFamily("ray_now", d -> query(d, any(d).now(d).ray())));
-    first.add(new TurningFamily("far_pivot", TurningFamilies::farPivot));
-    first.add(new TurningFamily("supported", TurningFamilies::supported));
-    first.add(new TurningFamily("lattice", TurningFamilies::lattice));
-    first.add(new TurningFamily("zero_gap", TurningFamilies::zeroGap));
-    first.add(new TurningFamily("window_end", TurningFamilies::windowEnd));
-    List<TurningFamily> all = new ArrayList<>(first);
-    for (TurningFamily base : first) {
-      all.add(new TurningFamily("return_" + base.name(), d -> after(d, base.next(d))));
+  public static List<Family<TurningQuery>> all() {
+    List<Family<TurningQuery>> first = new ArrayList<>();
+    first.add(new Family<>("uniform", TurningFamilies::uniform));
+    first.add(new Family<>("side", d -> query(d, new Contact(d).side(d))));
+    first.add(new Family<>("end", d -> query(d, new Contact(d).end(d))));
+    first.add(new Family<>("peg", d -> query(d, new Contact(d).peg(d))));
+    first.add(new Family<>("graze_side", d -> query(d, new Contact(d).side(d).graze(d))));
+    first.add(new Family<>("graze_end", d -> query(d, new Contact(d).end(d).graze(d))));
+    first.add(new Family<>("graze_peg", d -> query(d, new Contact(d).peg(d).graze(d))));
+    first.add(new Family<>("touching", d -> query(d, any(d).now(d))));
+    first.add(new Family<>("overlapping", d -> query(d, any(d).now(d).inside(d))));
+    first.add(new Family<>("corner", d -> query(d, new Contact(d).corner(d))));
+    first.add(new Family<>("extension", d -> query(d, new Contact(d).extension(d))));
+    first.add(new Family<>("fast", d -> query(d, any(d).fast(d))));
+    first.add(new Family<>("slow_turn", d -> query(d, any(d).slowTurn(d))));
+    first.add(new Family<>("at_rest", d -> query(d, any(d).atRest())));
+    first.add(new Family<>("riding", d -> query(d, any(d).riding(d))));
+    first.add(new Family<>("ray", d -> query(d, any(d).ray())));
+    first.add(new Family<>("ray_now", d -> query(d, any(d).now(d).ray())));
+    first.add(new Family<>("far_pivot", TurningFamilies::farPivot));
+    first.add(new Family<>("supported", TurningFamilies::supported));
+    first.add(new Family<>("lattice", TurningFamilies::lattice));
+    first.add(new Family<>("zero_gap", TurningFamilies::zeroGap));
+    first.add(new Family<>("window_end", TurningFamilies::windowEnd));
+    List<Family<TurningQuery>> all = new ArrayList<>(first);
+    for (Family<TurningQuery> base : first) {
+      all.add(new Family<>("return_" + base.name(), d -> after(d, base.next(d))));
     }
-    for (TurningFamily base : first) {
-      all.add(new TurningFamily("entry_" + base.name(), d -> entry(d, base.next(d))));
+    for (Family<TurningQuery> base : first) {
+      all.add(new Family<>("entry_" + base.name(), d -> entry(d, base.next(d))));
     }
     return all;
   }

@@ -87,7 +87,8 @@ public record TurningQuery(
    * All but the end of the window are finite, no radius is negative, and it turns: as a move of at
    * most a quarter turn does, in which |c| is never far below 1.
    */
-  boolean isFair() {
+  @Override
+  public boolean isFair() {
     double[] n = numbers();
     double nearest = Math.min(Math.max(0, -q1 / (q1 * q1 + q2 * q2)), end);
     return Math.hypot(1 + q1 * nearest, q2 * nearest) > 0.5
@@ -100,7 +101,12 @@ public record TurningQuery(
 
   @Override
   public ParabolaContact truth() {
-    return TurningOracle.answer(this);
+    CurveOracle oracle = CurveOracle.of(this);
+    return switch (kind) {
+      case FIRST -> oracle.first();
+      case RETURN -> oracle.back();
+      case ENTRY -> oracle.entry(after);
+    };
   }
 
   @Override

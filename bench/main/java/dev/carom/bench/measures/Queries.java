@@ -10,6 +10,7 @@ import dev.carom.bench.methods.Methods;
 import dev.carom.oracle.Draw;
 import dev.carom.oracle.Families;
 import dev.carom.oracle.Family;
+import dev.carom.oracle.Query;
 import dev.carom.oracle.SegmentQuery;
 import java.util.ArrayList;
 import java.util.LinkedHashMap;
@@ -70,7 +71,7 @@ final class Queries {
     if (name.equals(HEAD_ON)) {
       return headOn(count);
     }
-    List<Family> families =
+    List<Family<Query>> families =
         Families.all().stream().filter(f -> FAMILIES.get(name).contains(f.name())).toList();
     Draw draw = new Draw(SEED);
     List<SegmentQuery> queries = new ArrayList<>();

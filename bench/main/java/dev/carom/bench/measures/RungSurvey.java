@@ -35,15 +35,15 @@ public final class RungSurvey {
   public static List<RungShare> of(int queries, long seed, Runnable progress) {
     RungCounts.enable();
     List<RungShare> shares = new ArrayList<>();
-    for (Family family : Families.all()) {
+    for (Family<Query> family : Families.all()) {
       shares.add(of(family, queries, seed));
       progress.run();
     }
     return shares;
   }
 
-  private static RungShare of(Family family, int queries, long seed) {
-    Draw draw = new Draw(seed * 0x9E3779B97F4A7C15L ^ family.name().hashCode());
+  private static RungShare of(Family<Query> family, int queries, long seed) {
+    Draw draw = Draw.of(seed, family.name());
     RungShare sum = RungShare.none(family.name());
     for (int i = 0; i < queries; i++) {
       sum = sum.plus(of(family.next(draw)));

@@ -92,7 +92,7 @@ class PrecisionCounterTest {
     if (name.startsWith("sphere_")) {
       return draw -> ask(SphereFamilies.next(name.substring(7), draw).numbers());
     }
-    Family family =
+    Family<Query> family =
         Stream.concat(Families.all().stream(), Brinks.all().stream())
             .filter(f -> f.name().equals(name))
             .findFirst()

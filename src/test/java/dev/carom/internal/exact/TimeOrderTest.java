@@ -67,14 +67,14 @@ class TimeOrderTest {
     assertThat(RealRoot.at(Dyadic.of(1.5)).order(time(3, 0, 2))).isZero();
   }
 
-  static Stream<Family> families() {
+  static Stream<Family<Query>> families() {
     return Families.all().stream().filter(family -> !family.name().startsWith("wall"));
   }
 
   /** Times of a query and of others nearly like it; one that is larger by a power of two ties. */
   @ParameterizedTest
   @MethodSource("families")
-  void ordersTimesAsTheOracleDoes(Family family) {
+  void ordersTimesAsTheOracleDoes(Family<Query> family) {
     Draw draw = new Draw(family.name().hashCode());
     Random random = new Random(family.name().hashCode());
     for (int i = 0; i < QUERIES; i++) {

@@ -4,6 +4,7 @@ package dev.carom.internal.sweep;
 import dev.carom.internal.exact.ExactParabola;
 import dev.carom.internal.exact.Polynomial;
 import dev.carom.internal.exact.UnitVector;
+import dev.carom.oracle.Part;
 
 /**
  * Questions about falling disks, with all numbers in one call: place, radius, velocity and
@@ -84,5 +85,14 @@ public final class Falls {
 
   private static Fall ofSide(double[] q) {
     return line(0, 0, 0, q[1], q[2], q[3], q[4], q[5], q[6], q[7], q[8], q[9], q[10]);
+  }
+
+  /** The part of a line that a contact is with. */
+  public static Part part(int contact) {
+    return switch (Contact.withoutTime(contact)) {
+      case Contact.START -> Part.START;
+      case Contact.END -> Part.END;
+      default -> Part.SIDE;
+    };
   }
 }
