@@ -25,7 +25,8 @@ import java.util.function.Predicate;
  * <p>What was just hit counts from the start, whatever the rounded place says: the gap of the part
  * in whose region the centre is, or the height above the side. A speed towards it counts as none.
  * From the side the circle comes back when it is as high as at the start, if it is then between the
- * ends or exactly at one. Else every part can be hit from then on.
+ * ends or exactly at one. Else it can hit from then on the end that it has passed, and of what
+ * turns every part.
  */
 final class CurveOracle {
   /** Bits of the time for a normal: of a point, whose velocity may nearly vanish, many more. */
@@ -49,6 +50,9 @@ final class CurveOracle {
   private final SturmPolynomial fromStart;
   private final SturmPolynomial fromEnd;
   private final List<Region> regions = new ArrayList<>();
+
+  /** The one part that can be hit; null for all. */
+  private Region only;
 
   /** Whether a rate counts also for a point, as that of what was just hit does. */
   private boolean ratesCount;
@@ -205,10 +209,14 @@ final class CurveOracle {
     if (!back.hit()) {
       return back;
     }
-    boolean isBeside = sign(fromStart, back.moment()) >= 0 && sign(fromEnd, back.moment()) <= 0;
-    return isBeside
-        ? new ParabolaContact(part(back.moment()), back.moment(), ofSide(side, back.moment()))
-        : firstFrom(back.moment());
+    int start = sign(fromStart, back.moment());
+    int end = sign(fromEnd, back.moment());
+    Region region = region(start, end);
+    if (start >= 0 && end <= 0) {
+      return new ParabolaContact(region.part(), back.moment(), ofSide(side, back.moment()));
+    }
+    only = n.degree() == 0 ? region : null;
+    return firstFrom(back.moment());
   }
 
   /** The side that is touched: of a point, or a centre on the line, the one to which it leaves. */
@@ -280,7 +288,8 @@ final class CurveOracle {
 
   /** Whether the distance is below the radius and falls just after a moment; null is 0. */
   private boolean falls(SturmRoot moment) {
-    return falls(region(after(fromStart, moment), after(fromEnd, moment)), moment);
+    Region region = region(after(fromStart, moment), after(fromEnd, moment));
+    return falls(only == null ? region : only, moment);
   }
 
   private static boolean falls(Region region, SturmRoot moment) {
@@ -295,7 +304,7 @@ final class CurveOracle {
 
   /** Whether a point comes to a side that it passes, or with a speed to an end. */
   private boolean arrives(SturmRoot moment) {
-    Part part = regionBefore(moment).part();
+    Part part = (only == null ? regionBefore(moment) : only).part();
     if (part == Part.SIDE) {
       return sign(height, moment) == 0 && before(height, moment) * after(height, moment) < 0;
     }

@@ -11,11 +11,8 @@ import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.Optional;
-import java.util.concurrent.Callable;
 import picocli.CommandLine.Command;
-import picocli.CommandLine.Model.CommandSpec;
 import picocli.CommandLine.Parameters;
-import picocli.CommandLine.Spec;
 
 /** Answers queries from a file, one row each, in order. */
 @Command(
@@ -30,19 +27,16 @@ import picocli.CommandLine.Spec;
       "  gx,gy                                   the acceleration of the circle, or of both",
       "Answers go to the standard output: hit,feature,t,nx,ny; of a miss 0,NONE,NaN,NaN,NaN."
     },
-    footer = {"", "Example: carom-bench cast queries.csv"},
-    mixinStandardHelpOptions = true)
-final class CastCommand implements Callable<Integer> {
+    footer = {"", "Example: carom-bench cast queries.csv"})
+final class CastCommand extends BenchCommand {
 
   private static final String STANDARD_INPUT = "-";
-
-  @Spec private CommandSpec spec;
 
   @Parameters(paramLabel = "FILE|-", description = "The queries; - is the standard input.")
   private String file;
 
   @Override
-  public Integer call() throws IOException {
+  void run() throws IOException {
     CastReader reader = new CastReader(file.equals(STANDARD_INPUT) ? "standard input" : file);
     try (Reader in = open()) {
       reader.read(in);
@@ -53,7 +47,6 @@ final class CastCommand implements Callable<Integer> {
       out.print(answer(reader.kind().cast(query)));
     }
     out.flush();
-    return 0;
   }
 
   private Reader open() throws IOException {

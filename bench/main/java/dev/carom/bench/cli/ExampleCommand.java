@@ -17,13 +17,9 @@ import java.io.IOException;
 import java.nio.file.Path;
 import java.util.Arrays;
 import java.util.List;
-import java.util.concurrent.Callable;
 import picocli.CommandLine.Command;
-import picocli.CommandLine.Model.CommandSpec;
 import picocli.CommandLine.Option;
-import picocli.CommandLine.ParameterException;
 import picocli.CommandLine.Parameters;
-import picocli.CommandLine.Spec;
 
 /** Runs an example in a window, or draws it. */
 @Command(
@@ -32,10 +28,8 @@ import picocli.CommandLine.Spec;
       "Runs an example in a window; --png draws it, --record films it, both without a screen.",
       "Without a name it lists them."
     },
-    footer = {"", "Example: carom-bench example breakout"},
-    mixinStandardHelpOptions = true,
-    sortOptions = false)
-final class ExampleCommand implements Callable<Integer> {
+    footer = {"", "Example: carom-bench example breakout"})
+final class ExampleCommand extends BenchCommand {
 
   /** The height of the line under a picture, in pixels. */
   private static final int HINT = 30;
@@ -45,8 +39,6 @@ final class ExampleCommand implements Callable<Integer> {
 
   /** A moving picture sees every second frame. */
   private static final int STEP = 2;
-
-  @Spec private CommandSpec spec;
 
   @Parameters(arity = "0..1", paramLabel = "NAME", description = "One of ${COMPLETION-CANDIDATES}.")
   private Examples name;
@@ -72,7 +64,7 @@ final class ExampleCommand implements Callable<Integer> {
   private Integer frames;
 
   @Override
-  public Integer call() throws IOException {
+  void run() throws IOException {
     if (name == null && (png != null || film != null || frames != null)) {
       throw refused("NAME is missing: expected one of " + Arrays.toString(Examples.values()));
     } else if (name == null) {
@@ -91,7 +83,6 @@ final class ExampleCommand implements Callable<Integer> {
             return ExampleWindow.of("Carom: " + name.about(), name.start());
           });
     }
-    return 0;
   }
 
   private void record(Example example) throws IOException {
@@ -112,10 +103,6 @@ final class ExampleCommand implements Callable<Integer> {
     WholeFile.write(film, seen.svg(name.about()));
   }
 
-  private ParameterException refused(String message) {
-    return new ParameterException(spec.commandLine(), message);
-  }
-
   private static List<Examples> filmed() {
     return Arrays.stream(Examples.values())
         .filter(each -> Examples.filmed(each.start()).isPresent())
@@ -124,9 +111,8 @@ final class ExampleCommand implements Callable<Integer> {
 
   private void list() {
     for (Examples each : Examples.values()) {
-      spec.commandLine().getOut().printf("%-10s %s%n", each, each.about());
+      println("%-10s %s".formatted(each, each.about()));
     }
-    spec.commandLine().getOut().flush();
   }
 
   private void draw() throws IOException {

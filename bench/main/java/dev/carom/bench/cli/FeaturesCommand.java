@@ -12,7 +12,6 @@ import dev.carom.bench.series.Heaps;
 import java.util.List;
 import picocli.CommandLine.Command;
 import picocli.CommandLine.Option;
-import picocli.CommandLine.ParameterException;
 
 /** Measures the cost of each thing that a scene uses. */
 @Command(
@@ -29,9 +28,7 @@ import picocli.CommandLine.ParameterException;
       "",
       "Example: carom-bench measure features --rounds 11 --no-memory",
       "         carom-bench measure features --rounds 5 --heaps 1000"
-    },
-    mixinStandardHelpOptions = true,
-    sortOptions = false)
+    })
 final class FeaturesCommand extends SeriesCommand {
 
   private static final int LEAST_HEAP = 10;
@@ -61,9 +58,8 @@ final class FeaturesCommand extends SeriesCommand {
     if (heaps != null) {
       Bounded.atLeast(LEAST_HEAP, "--heaps", heaps, spec);
       for (String option : FEATURES_ONLY) {
-        if (spec.commandLine().getParseResult().hasMatchedOption(option)) {
-          throw new ParameterException(
-              spec.commandLine(), "--heaps and " + option + " exclude each other");
+        if (isGiven(option)) {
+          throw refused("--heaps and " + option + " exclude each other");
         }
       }
     }

@@ -12,17 +12,12 @@ import dev.carom.bench.fuzz.Soak;
 import dev.carom.bench.fuzz.SoakTimes;
 import dev.carom.bench.fuzz.WorldFuzz;
 import dev.carom.bench.replay.Counted;
-import java.io.PrintWriter;
 import java.util.List;
 import java.util.Locale;
-import java.util.concurrent.Callable;
 import java.util.concurrent.TimeUnit;
 import java.util.function.IntConsumer;
 import picocli.CommandLine.Command;
-import picocli.CommandLine.Model.CommandSpec;
 import picocli.CommandLine.Option;
-import picocli.CommandLine.ParameterException;
-import picocli.CommandLine.Spec;
 
 /** Looks for what must not be, in random worlds. */
 @Command(
@@ -45,10 +40,8 @@ import picocli.CommandLine.Spec;
       "",
       "Example: carom-bench fuzz --seconds 600 --seed 7",
       "         carom-bench fuzz --impacts 1000000 --gas"
-    },
-    mixinStandardHelpOptions = true,
-    sortOptions = false)
-final class FuzzCommand implements Callable<Integer> {
+    })
+final class FuzzCommand extends BenchCommand {
 
   private static final List<String> LENGTHS = List.of("--seconds", "--sessions", "--impacts");
 
@@ -56,8 +49,6 @@ final class FuzzCommand implements Callable<Integer> {
   private static final List<String> SCENES = List.of("--scene", "--gas", "--circles");
 
   private static final double PACKING = 0.2;
-
-  @Spec private CommandSpec spec;
 
   @Option(
       names = "--seconds",
@@ -109,7 +100,7 @@ final class FuzzCommand implements Callable<Integer> {
   private long seed;
 
   @Override
-  public Integer call() throws CannotPlaceException {
+  void run() throws CannotPlaceException {
     excludeOthers(LENGTHS);
     Bounded.atLeast(1, "--seconds", seconds, spec);
     if (sessions != null) {
@@ -118,7 +109,7 @@ final class FuzzCommand implements Callable<Integer> {
     if (impacts == null) {
       for (String option : SCENES) {
         if (isGiven(option)) {
-          throw new ParameterException(spec.commandLine(), option + " needs --impacts");
+          throw refused(option + " needs --impacts");
         }
       }
     } else {
@@ -131,12 +122,11 @@ final class FuzzCommand implements Callable<Integer> {
       if (impacts != null) {
         soak();
       } else {
-        print(play());
+        println(play());
       }
     } catch (FindingException e) {
       throw new IllegalStateException(e.getMessage(), e);
     }
-    return 0;
   }
 
   /** Refuses two of these options at once. */
@@ -144,18 +134,8 @@ final class FuzzCommand implements Callable<Integer> {
     List<String> given = options.stream().filter(this::isGiven).toList();
     if (given.size() > 1) {
       String both = String.join(" and ", given.subList(0, 2));
-      throw new ParameterException(spec.commandLine(), both + " exclude each other");
+      throw refused(both + " exclude each other");
     }
-  }
-
-  private boolean isGiven(String option) {
-    return spec.commandLine().getParseResult().hasMatchedOption(option);
-  }
-
-  private void print(String line) {
-    PrintWriter out = spec.commandLine().getOut();
-    out.println(line);
-    out.flush();
   }
 
   private String play() throws FindingException {
@@ -187,7 +167,7 @@ final class FuzzCommand implements Callable<Integer> {
 
   private void soak() throws FindingException, CannotPlaceException {
     Scene scene = kind == null ? scene() : null;
-    print(
+    println(
         kind == null
             ? "soak       %s--circles %d --seed %d"
                 .formatted(gas ? "--gas " : "", scene.count(Kind.CIRCLE), seed)
@@ -197,7 +177,7 @@ final class FuzzCommand implements Callable<Integer> {
       IntConsumer told = round -> left.tell(round, Soak.ROUNDS);
       SoakTimes times =
           kind == null ? Soak.run(scene, impacts, told) : Soak.run(kind, seed, impacts, told);
-      print(times.render().stripTrailing());
+      println(times.render().stripTrailing());
     }
   }
 

@@ -14,12 +14,9 @@ import java.nio.file.Path;
 import java.util.List;
 import java.util.Locale;
 import java.util.Map;
-import java.util.concurrent.Callable;
 import picocli.CommandLine.Command;
 import picocli.CommandLine.Mixin;
-import picocli.CommandLine.Model.CommandSpec;
 import picocli.CommandLine.Option;
-import picocli.CommandLine.Spec;
 
 /** Plays a gas of circles that collide, and tells how fast and how well energy is kept. */
 @Command(
@@ -30,12 +27,8 @@ import picocli.CommandLine.Spec;
           + " The published algorithm knows no collisions between circles, so there is"
           + " nothing beside it. Takes seconds."
     },
-    footer = {"", "Example: carom-bench measure gas --circles 10000 --steady"},
-    mixinStandardHelpOptions = true,
-    sortOptions = false)
-final class GasCommand implements Callable<Integer> {
-
-  @Spec private CommandSpec spec;
+    footer = {"", "Example: carom-bench measure gas --circles 10000 --steady"})
+final class GasCommand extends BenchCommand {
 
   @Option(
       names = "--circles",
@@ -112,7 +105,7 @@ final class GasCommand implements Callable<Integer> {
   private Path save;
 
   @Override
-  public Integer call() throws IOException, CannotPlaceException {
+  void run() throws IOException, CannotPlaceException {
     Bounded.atLeast(1, "--frames", frames, spec);
     Bounded.positive("--frame-time", frameTime, spec);
     Bounded.atLeast(1, "--rounds", rounds, spec);
@@ -126,9 +119,7 @@ final class GasCommand implements Callable<Integer> {
       scene.write(save);
     }
     String found = steady == null ? replay(scene) : steady(scene);
-    spec.commandLine().getOut().printf("gas      %s%n%s", name(), found);
-    spec.commandLine().getOut().flush();
-    return 0;
+    print("gas      %s%n%s".formatted(name(), found));
   }
 
   private Scene scene() throws CannotPlaceException {

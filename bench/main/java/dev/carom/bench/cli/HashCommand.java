@@ -10,13 +10,9 @@ import java.io.PrintWriter;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Locale;
-import java.util.concurrent.Callable;
 import picocli.CommandLine.Command;
 import picocli.CommandLine.Mixin;
-import picocli.CommandLine.Model.CommandSpec;
 import picocli.CommandLine.Option;
-import picocli.CommandLine.ParameterException;
-import picocli.CommandLine.Spec;
 
 /** Tells the hash of runs, and whether they are those of every other machine. */
 @Command(
@@ -28,12 +24,8 @@ import picocli.CommandLine.Spec;
           + " it is the same on every virtual machine. Takes seconds, with --long 10.",
       "With --frames it tells the hash of a scene of your own, which 'replay --demand' takes."
     },
-    footer = {"", "Example: carom-bench hash --scene scene.csv --frames 600"},
-    mixinStandardHelpOptions = true,
-    sortOptions = false)
-final class HashCommand implements Callable<Integer> {
-
-  @Spec private CommandSpec spec;
+    footer = {"", "Example: carom-bench hash --scene scene.csv --frames 600"})
+final class HashCommand extends BenchCommand {
 
   @Mixin private SceneOptions scene;
 
@@ -47,23 +39,21 @@ final class HashCommand implements Callable<Integer> {
   private boolean longToo;
 
   @Override
-  public Integer call() throws IOException, CannotPlaceException {
+  void run() throws IOException, CannotPlaceException {
     PrintWriter out = spec.commandLine().getOut();
     if (frames != null && longToo) {
-      throw new ParameterException(spec.commandLine(), "--frames and --long exclude each other");
+      throw refused("--frames and --long exclude each other");
     }
     if (frames != null) {
       Bounded.atLeast(0, "--frames", frames, spec);
       out.println(RunHash.of(scene.scene(), frames).hex());
       out.flush();
-      return 0;
+      return;
     }
     if (scene.isGiven()) {
-      throw new ParameterException(
-          spec.commandLine(), "--frames is missing: expected how many frames of that scene");
+      throw refused("--frames is missing: expected how many frames of that scene");
     }
     playGoldenRuns(out);
-    return 0;
   }
 
   /** Prints all of them, also those after one that differs. */

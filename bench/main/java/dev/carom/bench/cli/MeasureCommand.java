@@ -2,12 +2,9 @@
 package dev.carom.bench.cli;
 
 import java.util.Set;
-import java.util.concurrent.Callable;
 import picocli.CommandLine;
 import picocli.CommandLine.Command;
-import picocli.CommandLine.Model.CommandSpec;
 import picocli.CommandLine.ParameterException;
-import picocli.CommandLine.Spec;
 
 /** Measures one of the series; each is a subcommand with options of its own. */
 @Command(
@@ -17,7 +14,6 @@ import picocli.CommandLine.Spec;
       "The name of a series alone will do: 'gas' is 'measure gas'."
     },
     footer = {"", "Example: carom-bench measure gas --circles 10000 --steady"},
-    mixinStandardHelpOptions = true,
     synopsisSubcommandLabel = "SERIES",
     subcommands = {
       SweepCommand.class,
@@ -27,7 +23,7 @@ import picocli.CommandLine.Spec;
       ThreadsCommand.class,
       WorldsCommand.class
     })
-final class MeasureCommand implements Callable<Integer> {
+final class MeasureCommand extends BenchCommand {
 
   static final String NAME = "measure";
 
@@ -35,10 +31,8 @@ final class MeasureCommand implements Callable<Integer> {
   static final Set<String> SERIES =
       Set.of("sweep", "scale", "features", "gas", "threads", "worlds");
 
-  @Spec private CommandSpec spec;
-
   @Override
-  public Integer call() {
+  void run() {
     CommandLine line = spec.commandLine();
     throw new ParameterException(line, CaromBench.expected(line, "is missing"));
   }

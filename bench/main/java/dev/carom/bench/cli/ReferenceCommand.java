@@ -11,13 +11,9 @@ import java.io.PrintWriter;
 import java.nio.file.Path;
 import java.util.List;
 import java.util.Locale;
-import java.util.concurrent.Callable;
 import picocli.CommandLine.Command;
-import picocli.CommandLine.Model.CommandSpec;
 import picocli.CommandLine.Option;
-import picocli.CommandLine.ParameterException;
 import picocli.CommandLine.Parameters;
-import picocli.CommandLine.Spec;
 
 /** Computes what really happens in the experiment's scenes. */
 @Command(
@@ -30,17 +26,13 @@ import picocli.CommandLine.Spec;
       "With --scene FILE it prints where the circles of any small scene are at the end, in as many"
           + " digits as asked."
     },
-    footer = {"", "Example: carom-bench reference base-1 --frames 100"},
-    mixinStandardHelpOptions = true,
-    sortOptions = false)
-final class ReferenceCommand implements Callable<Integer> {
+    footer = {"", "Example: carom-bench reference base-1 --frames 100"})
+final class ReferenceCommand extends BenchCommand {
 
   private static final double DIGITS_PER_BIT = Math.log10(2);
 
   private static final String HEADER =
       "scene   circles  impacts  digits: least  median   most  10^x worst  seconds    bytes";
-
-  @Spec private CommandSpec spec;
 
   @Parameters(
       paramLabel = "SCENE",
@@ -76,39 +68,34 @@ final class ReferenceCommand implements Callable<Integer> {
   private Path folder;
 
   @Override
-  public Integer call() throws IOException {
+  void run() throws IOException {
     Bounded.atLeast(1, "--frames", frames, spec);
     Bounded.atLeast(0, "--digits", digits, spec);
     Bounded.atMost(LastPlace.MOST_DECIMALS, "--digits", digits, spec);
     if (file != null) {
-      return printLastPlaces();
+      printLastPlaces();
+      return;
     }
-    if (spec.commandLine().getParseResult().hasMatchedOption("--digits")) {
-      throw new ParameterException(spec.commandLine(), "--digits needs --scene");
+    if (isGiven("--digits")) {
+      throw refused("--digits needs --scene");
     }
     if (scenes == null) {
       scenes = References.STORED;
     }
     for (String name : scenes) {
       if (!References.STORED.contains(name)) {
-        throw new ParameterException(
-            spec.commandLine(), "SCENE is " + name + ": expected one of " + References.STORED);
+        throw refused("SCENE is " + name + ": expected one of " + References.STORED);
       }
     }
-    PrintWriter out = spec.commandLine().getOut();
-    out.println(HEADER);
-    out.flush();
+    println(HEADER);
     for (String name : scenes) {
-      Scene scene = References.scene(name);
-      out.println(truth(name, scene));
-      out.flush();
+      println(truth(name, References.scene(name)));
     }
-    return 0;
   }
 
-  private int printLastPlaces() throws IOException {
+  private void printLastPlaces() throws IOException {
     if (scenes != null || folder != null) {
-      throw new ParameterException(spec.commandLine(), "--scene excludes SCENE and --write");
+      throw refused("--scene excludes SCENE and --write");
     }
     PrintWriter out = spec.commandLine().getOut();
     Scene scene = Scene.read(file);
@@ -122,7 +109,6 @@ final class ReferenceCommand implements Callable<Integer> {
           place.circle() + "," + place.x().toPlainString() + "," + place.y().toPlainString());
     }
     out.flush();
-    return 0;
   }
 
   private String truth(String name, Scene scene) throws IOException {

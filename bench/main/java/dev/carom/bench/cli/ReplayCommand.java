@@ -14,14 +14,10 @@ import dev.carom.bench.replay.RunHash;
 import java.io.IOException;
 import java.nio.file.Path;
 import java.util.Map;
-import java.util.concurrent.Callable;
 import org.openjdk.jmh.runner.RunnerException;
 import picocli.CommandLine.Command;
 import picocli.CommandLine.Mixin;
-import picocli.CommandLine.Model.CommandSpec;
 import picocli.CommandLine.Option;
-import picocli.CommandLine.ParameterException;
-import picocli.CommandLine.Spec;
 
 /** Replays the published experiment with this library and with the published algorithm. */
 @Command(
@@ -31,12 +27,8 @@ import picocli.CommandLine.Spec;
       "Tells whether 60 frames per second are met; 'poster' is the published"
           + " algorithm. Runs when no command is given. Takes a minute or two."
     },
-    footer = {"", "Example: carom-bench replay --circles 50 --json replay.json"},
-    mixinStandardHelpOptions = true,
-    sortOptions = false)
-final class ReplayCommand implements Callable<Integer> {
-
-  @Spec private CommandSpec spec;
+    footer = {"", "Example: carom-bench replay --circles 50 --json replay.json"})
+final class ReplayCommand extends BenchCommand {
 
   @Mixin private SceneOptions scene;
 
@@ -81,20 +73,18 @@ final class ReplayCommand implements Callable<Integer> {
   private String demanded;
 
   @Override
-  public Integer call() throws IOException, CannotPlaceException, RunnerException {
+  void run() throws IOException, CannotPlaceException, RunnerException {
     RungCounts.enable();
     ReplayPlan plan = plan();
     checkHash(plan.scene());
     prepareFolders();
     ReplayResult result = measure(plan);
     files.write(Map.of(), false, result.rows());
-    spec.commandLine().getOut().print(ReplayTable.render(result));
-    spec.commandLine().getOut().flush();
+    print(ReplayTable.render(result));
     if (pictures != null) {
       Pictures.write(
           result.plan().scene(), frames, result.typicalReplay(), Budget.MILLIS, pictures);
     }
-    return 0;
   }
 
   private void checkHash(Scene measured) {
@@ -102,16 +92,14 @@ final class ReplayCommand implements Callable<Integer> {
       return;
     }
     if (!demanded.matches("\\p{XDigit}{64}")) {
-      throw new ParameterException(
-          spec.commandLine(), "--demand is " + demanded + ": expected 64 hexadecimal digits");
+      throw refused("--demand is " + demanded + ": expected 64 hexadecimal digits");
     }
     String found = RunHash.of(measured, frames).hex();
     if (!found.equalsIgnoreCase(demanded)) {
       throw new IllegalStateException(
           "the hash of Carom's run is " + found + ": expected " + demanded + ", as demanded");
     }
-    spec.commandLine().getOut().println("The run has the hash that was demanded, " + found + ".");
-    spec.commandLine().getOut().println();
+    println("The run has the hash that was demanded, " + found + ".%n".formatted());
   }
 
   /** Before the long work, not after it: a folder that cannot be made. */

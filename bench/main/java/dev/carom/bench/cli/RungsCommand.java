@@ -11,13 +11,10 @@ import dev.carom.bench.series.Features;
 import java.io.IOException;
 import java.util.List;
 import java.util.Map;
-import java.util.concurrent.Callable;
 import java.util.stream.Stream;
 import picocli.CommandLine.Command;
 import picocli.CommandLine.Mixin;
-import picocli.CommandLine.Model.CommandSpec;
 import picocli.CommandLine.Option;
-import picocli.CommandLine.Spec;
 
 /** Tells how often the detector needed more precision. */
 @Command(
@@ -29,12 +26,8 @@ import picocli.CommandLine.Spec;
           + " numbers round the time of an impact after time 0. Takes seconds.",
       "With --scenes also by scene of the command features, some of them with gravity."
     },
-    footer = {"", "Example: carom-bench rungs --queries 1000 --scenes"},
-    mixinStandardHelpOptions = true,
-    sortOptions = false)
-final class RungsCommand implements Callable<Integer> {
-
-  @Spec private CommandSpec spec;
+    footer = {"", "Example: carom-bench rungs --queries 1000 --scenes"})
+final class RungsCommand extends BenchCommand {
 
   @Option(
       names = "--queries",
@@ -56,7 +49,7 @@ final class RungsCommand implements Callable<Integer> {
   @Mixin private RowFiles files;
 
   @Override
-  public Integer call() throws IOException, CannotPlaceException {
+  void run() throws IOException, CannotPlaceException {
     Bounded.atLeast(1, "--queries", queries, spec);
     files.prepare();
     List<RungShare> shares = survey();
@@ -66,12 +59,7 @@ final class RungsCommand implements Callable<Integer> {
             shares.stream().flatMap(s -> s.rows().stream()),
             scenes.stream().flatMap(s -> s.rows().stream()));
     files.write(Map.of("rungs", seed), false, rows.toList());
-    spec.commandLine().getOut().print(RungTable.render(shares));
-    if (playsScenes) {
-      spec.commandLine().getOut().print("\n" + SceneRungs.render(scenes));
-    }
-    spec.commandLine().getOut().flush();
-    return 0;
+    print(RungTable.render(shares) + (playsScenes ? "\n" + SceneRungs.render(scenes) : ""));
   }
 
   private List<SceneRungs> scenes() throws CannotPlaceException {

@@ -30,9 +30,7 @@ import picocli.CommandLine.Option;
           + " or more. In 5 rounds, after 2000 ms to"
           + " warm up; with --quick in 3, after 500 ms. Takes about 4 minutes, with --quick seconds."
     },
-    footer = {"", "Example: carom-bench measure scale --max 10000 --csv scale.csv"},
-    mixinStandardHelpOptions = true,
-    sortOptions = false)
+    footer = {"", "Example: carom-bench measure scale --max 10000 --csv scale.csv"})
 final class ScaleCommand extends SeriesCommand {
 
   private static final int LEAST_CIRCLES = 100;

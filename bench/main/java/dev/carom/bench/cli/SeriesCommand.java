@@ -10,16 +10,11 @@ import java.io.IOException;
 import java.nio.file.Path;
 import java.util.List;
 import java.util.Map;
-import java.util.concurrent.Callable;
 import picocli.CommandLine.Mixin;
-import picocli.CommandLine.Model.CommandSpec;
 import picocli.CommandLine.Option;
-import picocli.CommandLine.Spec;
 
 /** A series of random scenes that are played in turns: measured, written, printed and drawn. */
-abstract class SeriesCommand implements Callable<Integer> {
-
-  @Spec CommandSpec spec;
+abstract class SeriesCommand extends BenchCommand {
 
   @Option(
       names = "--seed",
@@ -72,21 +67,19 @@ abstract class SeriesCommand implements Callable<Integer> {
   }
 
   @Override
-  public final Integer call() throws IOException, CannotPlaceException {
+  final void run() throws IOException, CannotPlaceException {
     check();
     files.prepare();
     if (pictures != null) {
       OutputFile.prepareFolder(pictures);
     }
     Results results = files.write(Map.of(spec.name(), seed), isQuick(), measure());
-    spec.commandLine().getOut().print(text(results).replace('\u00b5', 'u')); // in any encoding
-    spec.commandLine().getOut().flush();
+    print(text(results).replace('\u00b5', 'u')); // in any encoding
     if (pictures != null) {
       for (Figure figure : figures(results)) {
         Report.writePictures(figure, pictures);
       }
     }
-    return 0;
   }
 
   /** Refuses options, before anything is written. */

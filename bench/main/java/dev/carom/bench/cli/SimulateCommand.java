@@ -7,12 +7,8 @@ import java.io.IOException;
 import java.io.PrintWriter;
 import java.nio.file.Path;
 import java.util.List;
-import java.util.concurrent.Callable;
 import picocli.CommandLine.Command;
-import picocli.CommandLine.Model.CommandSpec;
 import picocli.CommandLine.Option;
-import picocli.CommandLine.ParameterException;
-import picocli.CommandLine.Spec;
 
 /** Plays a scene from a file and writes what happens. */
 @Command(
@@ -21,14 +17,10 @@ import picocli.CommandLine.Spec;
       "Plays a scene and writes positions and impacts.",
       "Times count in the scene's own unit from 0; frame k ends at k times the length of a frame."
     },
-    footer = {"", "Example: carom-bench simulate --scene scene.csv --frames 600 --impacts out.csv"},
-    mixinStandardHelpOptions = true,
-    sortOptions = false)
-final class SimulateCommand implements Callable<Integer> {
+    footer = {"", "Example: carom-bench simulate --scene scene.csv --frames 600 --impacts out.csv"})
+final class SimulateCommand extends BenchCommand {
 
   private static final int MOST_WARNINGS = 10;
-
-  @Spec private CommandSpec spec;
 
   @Option(names = "--scene", paramLabel = "FILE", required = true, description = "The scene.")
   private Path file;
@@ -64,13 +56,11 @@ final class SimulateCommand implements Callable<Integer> {
   private Path impacts;
 
   @Override
-  public Integer call() throws IOException {
+  void run() throws IOException {
     Bounded.atLeast(0, "--frames", frames, spec);
     Bounded.positive("--dt", dt, spec);
     if (!(frames * dt <= Double.MAX_VALUE)) {
-      throw new ParameterException(
-          spec.commandLine(),
-          "--dt is " + dt + ": expected a finite time after " + frames + " frames");
+      throw refused("--dt is " + dt + ": expected a finite time after " + frames + " frames");
     }
     OutputFile.expectOther("--impacts", impacts, "--positions", positions, spec);
     OutputFile.expectOther("--positions", positions, "--scene", file, spec);
@@ -83,9 +73,8 @@ final class SimulateCommand implements Callable<Integer> {
       Simulation simulation = new Simulation(scene, recorder);
       simulation.play(frames, dt);
       recorder.commit();
-      spec.commandLine().getOut().println(simulation.summary());
+      println(simulation.summary());
     }
-    return 0;
   }
 
   /** Tells of circles that begin where they overlap something, of so many and no more. */

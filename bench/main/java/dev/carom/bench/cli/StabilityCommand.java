@@ -10,18 +10,13 @@ import dev.carom.bench.results.Row;
 import dev.carom.bench.stability.FailureMap;
 import dev.carom.bench.stability.Survey;
 import java.io.IOException;
-import java.io.PrintWriter;
 import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Map;
-import java.util.concurrent.Callable;
 import picocli.CommandLine.Command;
 import picocli.CommandLine.Mixin;
-import picocli.CommandLine.Model.CommandSpec;
 import picocli.CommandLine.Option;
-import picocli.CommandLine.ParameterException;
-import picocli.CommandLine.Spec;
 
 /** Where methods fail. */
 @Command(
@@ -32,12 +27,8 @@ import picocli.CommandLine.Spec;
           + " judges them: right, drifted, far off, of wrong speed, or escaped. Takes less"
           + " than a minute."
     },
-    footer = {"", "Example: carom-bench stability --quick --map angle --pictures ."},
-    mixinStandardHelpOptions = true,
-    sortOptions = false)
-final class StabilityCommand implements Callable<Integer> {
-
-  @Spec private CommandSpec spec;
+    footer = {"", "Example: carom-bench stability --quick --map angle --pictures ."})
+final class StabilityCommand extends BenchCommand {
 
   @Option(
       names = "--map",
@@ -55,7 +46,7 @@ final class StabilityCommand implements Callable<Integer> {
   @Mixin private RowFiles files;
 
   @Override
-  public Integer call() throws IOException {
+  void run() throws IOException {
     List<FailureMap> maps = chosen();
     files.prepare();
     if (pictures != null) {
@@ -70,15 +61,12 @@ final class StabilityCommand implements Callable<Integer> {
     }
     Results results = files.write(Map.of(), quick, rows);
     List<Figure> figures = new StabilityFigures(results).figures();
-    PrintWriter out = spec.commandLine().getOut();
-    out.print(new StabilityMatrix(results).table().text());
-    out.flush();
+    print(new StabilityMatrix(results).table().text());
     if (pictures != null) {
       for (Figure figure : figures) {
         Report.writePictures(figure, pictures);
       }
     }
-    return 0;
   }
 
   private List<FailureMap> chosen() {
@@ -89,9 +77,7 @@ final class StabilityCommand implements Callable<Integer> {
     List<String> known = all.stream().map(FailureMap::name).toList();
     for (String name : names) {
       if (!known.contains(name)) {
-        throw new ParameterException(
-            spec.commandLine(),
-            "--map has %s: expected %s".formatted(name, String.join(", ", known)));
+        throw refused("--map has %s: expected %s".formatted(name, String.join(", ", known)));
       }
     }
     return all.stream().filter(map -> names.contains(map.name())).toList();

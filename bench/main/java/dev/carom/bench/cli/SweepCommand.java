@@ -22,9 +22,7 @@ import picocli.CommandLine.Option;
           + " up; with --quick in 5. Tells how times"
           + " grow. Takes about 5 minutes, with --quick seconds."
     },
-    footer = {"", "Example: carom-bench measure sweep --quick --pictures ."},
-    mixinStandardHelpOptions = true,
-    sortOptions = false)
+    footer = {"", "Example: carom-bench measure sweep --quick --pictures ."})
 final class SweepCommand extends SeriesCommand {
 
   private static final int ROUNDS = 15;

@@ -11,14 +11,11 @@ import java.util.Arrays;
 import java.util.List;
 import java.util.Locale;
 import java.util.Map;
-import java.util.concurrent.Callable;
 import java.util.concurrent.ExecutionException;
 import java.util.stream.Stream;
 import picocli.CommandLine.Command;
 import picocli.CommandLine.Mixin;
-import picocli.CommandLine.Model.CommandSpec;
 import picocli.CommandLine.Option;
-import picocli.CommandLine.Spec;
 
 /** Times a scene on one thread beside the same scene split over several. */
 @Command(
@@ -32,12 +29,8 @@ import picocli.CommandLine.Spec;
     footer = {
       "",
       "Example: carom-bench measure threads --circles 99999 --crosses 120 --radius 1 --frames 30"
-    },
-    mixinStandardHelpOptions = true,
-    sortOptions = false)
-final class ThreadsCommand implements Callable<Integer> {
-
-  @Spec private CommandSpec spec;
+    })
+final class ThreadsCommand extends BenchCommand {
 
   @Mixin private SceneOptions scenes;
 
@@ -65,7 +58,7 @@ final class ThreadsCommand implements Callable<Integer> {
   private int rounds;
 
   @Override
-  public Integer call() throws Exception {
+  void run() throws Exception {
     Bounded.atLeast(1, "--threads", threads, spec);
     Bounded.atLeast(1, "--frames", frames, spec);
     Bounded.atLeast(1, "--rounds", rounds, spec);
@@ -88,7 +81,6 @@ final class ThreadsCommand implements Callable<Integer> {
       }
       tell(alone, together, ratios);
     }
-    return 0;
   }
 
   /** Nanoseconds per frame. */
@@ -126,9 +118,8 @@ final class ThreadsCommand implements Callable<Integer> {
                 rows("threads_ratio", "threads=" + threads, "1", ratios))
             .flatMap(List::stream)
             .toList());
-    spec.commandLine()
-        .getOut()
-        .printf(
+    print(
+        String.format(
             Locale.ROOT,
             "scene         %s%nrun           %s of %s each, in turns%n%s%s%s"
                 + "fastest       %.2f, of the fastest round of each%n",
@@ -138,8 +129,7 @@ final class ThreadsCommand implements Callable<Integer> {
             line(Counted.of(1, "thread"), 1e3, "us per frame", alone),
             line(Counted.of(threads, "thread"), 1e3, "us per frame", together),
             line("ratio", 1, "of a round on one thread to the next one, split", ratios),
-            alone[0] / together[0]);
-    spec.commandLine().getOut().flush();
+            alone[0] / together[0]));
   }
 
   private List<Row> rows(String metric, String knob, String unit, double... sorted) {

@@ -28,14 +28,10 @@ import java.io.IOException;
 import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
-import java.util.concurrent.Callable;
 import java.util.function.IntFunction;
 import picocli.CommandLine.Command;
 import picocli.CommandLine.Mixin;
-import picocli.CommandLine.Model.CommandSpec;
 import picocli.CommandLine.Option;
-import picocli.CommandLine.ParameterException;
-import picocli.CommandLine.Spec;
 
 /** Opens a window on a scene, alone or beside another method. */
 @Command(
@@ -48,14 +44,10 @@ import picocli.CommandLine.Spec;
           + " keys.",
       "With --against another method plays the same scene beside Carom."
     },
-    footer = {"", "Example: carom-bench view --scene scene.csv"},
-    mixinStandardHelpOptions = true,
-    sortOptions = false)
-final class ViewCommand implements Callable<Integer> {
+    footer = {"", "Example: carom-bench view --scene scene.csv"})
+final class ViewCommand extends BenchCommand {
 
   private static final double FRAMES_A_SECOND = 60;
-
-  @Spec private CommandSpec spec;
 
   @Mixin private SceneOptions scenes;
 
@@ -113,14 +105,14 @@ final class ViewCommand implements Callable<Integer> {
   private int frames;
 
   @Override
-  public Integer call() throws IOException, CannotPlaceException {
+  void run() throws IOException, CannotPlaceException {
     Bounded.positive("--dt", dt, spec);
     Bounded.atLeast(record == null ? 0 : 1, "--frames", frames, spec);
     Bounded.positive("--slow", slow, spec);
     check();
     Scene scene = preset == null ? scenes.scene() : preset.scene();
     if (rival != null && !PlainScene.isAtRest(scene)) {
-      throw usage("--against plays scenes whose obstacles rest: a line or a peg moves");
+      throw refused("--against plays scenes whose obstacles rest: a line or a peg moves");
     }
     String title = preset == null ? scenes.title() : preset.about();
     Reference truth = rival == null ? null : truth(scene);
@@ -137,7 +129,6 @@ final class ViewCommand implements Callable<Integer> {
     } else {
       record(scene, title);
     }
-    return 0;
   }
 
   private void record(Scene scene, String title) throws IOException {
@@ -205,20 +196,16 @@ final class ViewCommand implements Callable<Integer> {
 
   private void check() {
     if (preset != null && scenes.isGiven()) {
-      throw usage("--preset excludes the options of other scenes");
+      throw refused("--preset excludes the options of other scenes");
     }
     if (record != null && !isPage() && !record.toString().endsWith(".svg")) {
-      throw usage("--record is " + record + ": expected a name that ends in .svg or .html");
+      throw refused("--record is " + record + ": expected a name that ends in .svg or .html");
     }
     if (png != null && (rival != null || record != null)) {
-      throw usage("--png draws one side: --against and --record exclude it");
+      throw refused("--png draws one side: --against and --record exclude it");
     }
     if (rival != null && dt != 1) {
-      throw usage("--against plays frames of 1 unit of time: --dt is " + dt);
+      throw refused("--against plays frames of 1 unit of time: --dt is " + dt);
     }
-  }
-
-  private ParameterException usage(String message) {
-    return new ParameterException(spec.commandLine(), message);
   }
 }

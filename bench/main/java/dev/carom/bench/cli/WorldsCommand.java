@@ -5,17 +5,13 @@ import dev.carom.bench.report.SeriesTables;
 import dev.carom.bench.results.Results;
 import dev.carom.bench.results.Row;
 import dev.carom.bench.series.ManyWorlds;
-import java.io.PrintWriter;
 import java.util.List;
 import java.util.Locale;
 import java.util.Map;
-import java.util.concurrent.Callable;
 import java.util.stream.IntStream;
 import picocli.CommandLine.Command;
 import picocli.CommandLine.Mixin;
-import picocli.CommandLine.Model.CommandSpec;
 import picocli.CommandLine.Option;
-import picocli.CommandLine.Spec;
 
 /** Times many small worlds on one thread and on several. */
 @Command(
@@ -25,12 +21,8 @@ import picocli.CommandLine.Spec;
       "Each is a ball that falls among pegs, with a seed of its own. Worlds share nothing; the hash"
           + " of all must not depend on the threads. Takes seconds."
     },
-    footer = {"", "Example: carom-bench measure worlds --worlds 100000 --threads 8"},
-    mixinStandardHelpOptions = true,
-    sortOptions = false)
-final class WorldsCommand implements Callable<Integer> {
-
-  @Spec private CommandSpec spec;
+    footer = {"", "Example: carom-bench measure worlds --worlds 100000 --threads 8"})
+final class WorldsCommand extends BenchCommand {
 
   @Mixin private RowFiles files;
 
@@ -56,7 +48,7 @@ final class WorldsCommand implements Callable<Integer> {
   private int rounds;
 
   @Override
-  public Integer call() throws Exception {
+  void run() throws Exception {
     Bounded.atLeast(1, "--worlds", worlds, spec);
     Bounded.atLeast(1, "--rounds", rounds, spec);
     int most = threads == null ? Runtime.getRuntime().availableProcessors() : threads;
@@ -67,16 +59,14 @@ final class WorldsCommand implements Callable<Integer> {
             .toArray();
     List<Row> rows = new ManyWorlds(worlds, rounds).measure(counts);
     Results results = files.write(Map.of(), false, rows);
-    PrintWriter out = spec.commandLine().getOut();
-    out.print(SeriesTables.worlds(results).text());
-    out.printf(
-        Locale.ROOT,
-        "memory  %,.0f bytes a world, with its scene%nhash    %08x, the lower half, the same on"
-            + " any number of threads%n",
-        value(rows, ManyWorlds.MEMORY),
-        (long) value(rows, ManyWorlds.HASH));
-    out.flush();
-    return 0;
+    print(SeriesTables.worlds(results).text());
+    print(
+        String.format(
+            Locale.ROOT,
+            "memory  %,.0f bytes a world, with its scene%nhash    %08x, the lower half, the same on"
+                + " any number of threads%n",
+            value(rows, ManyWorlds.MEMORY),
+            (long) value(rows, ManyWorlds.HASH)));
   }
 
   private static double value(List<Row> rows, String metric) {
