@@ -95,7 +95,7 @@ class CaromBenchIT {
     assertThat(output)
         .content()
         .contains("QueryBenchmark.lineSide")
-        .contains("WorldBenchmark.build");
+        .contains("GrowthBenchmark.build");
   }
 
   @Test

@@ -1,11 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 package dev.carom.bench.peers;
 
-import dev.carom.Circle;
-import dev.carom.Kind;
 import dev.carom.Line;
 import dev.carom.Scene;
-import dev.carom.Vec2;
 import org.dyn4j.collision.CategoryFilter;
 import org.dyn4j.dynamics.Body;
 import org.dyn4j.dynamics.BodyFixture;
@@ -29,51 +26,45 @@ final class Dyn4jPeer extends Peer {
   private static final CategoryFilter LINES = new CategoryFilter(2, 1);
   private static final double NO_CAP = 1e6;
 
-  private final boolean best;
   private final World<Body> world = new World<>();
   private final Body[] circles;
 
   Dyn4jPeer(Scene scene, boolean best) {
-    super(scene, best ? metreFor(scene, 10, 1.6) : USUAL_METRE, SECONDS_PER_FRAME);
-    this.best = best;
-    Vec2 g = scene.gravity();
-    world.setGravity(metresPerSecondSquared(g.x()), metresPerSecondSquared(g.y()));
+    super(scene, best, best ? metreFor(scene, 10, 1.6) : USUAL_METRE, SECONDS_PER_FRAME);
+    world.setGravity(gravity.x(), gravity.y());
     if (best) {
       Settings settings = world.getSettings();
       settings.setAtRestDetectionEnabled(false);
       settings.setMaximumTranslation(NO_CAP);
     }
     edges(scene).forEach(this::addLine);
-    circles = new Body[scene.count(Kind.CIRCLE)];
-    for (int i = 0; i < circles.length; i++) {
-      circles[i] = addCircle(scene, i);
-    }
+    circles = balls(scene).stream().map(this::addCircle).toArray(Body[]::new);
   }
 
   private void addLine(Edge edge) {
     Line line = edge.line();
-    Vector2 a = new Vector2(metres(line.ax()), metres(line.ay()));
-    Vector2 b = new Vector2(metres(line.bx()), metres(line.by()));
-    Body body = body(Geometry.createSegment(a, b), LINES, edge.restitution());
+    Vector2 a = new Vector2(line.ax(), line.ay());
+    Body body =
+        body(
+            Geometry.createSegment(a, new Vector2(line.bx(), line.by())),
+            LINES,
+            edge.restitution());
     body.setMass(MassType.INFINITE);
     world.addBody(body);
   }
 
-  private Body addCircle(Scene scene, int i) {
-    CategoryFilter filter = scene.collide() ? COLLIDING : CIRCLES;
-    Convex disk = Geometry.createCircle(metres(((Circle) scene.shape(Kind.CIRCLE, i)).radius()));
-    Body body = body(disk, filter, circleRestitution(scene));
+  private Body addCircle(Ball ball) {
+    boolean collides = !Double.isNaN(ball.mass());
+    Convex disk = Geometry.createCircle(ball.radius());
+    Body body = body(disk, collides ? COLLIDING : CIRCLES, ball.restitution());
     body.setMass(MassType.NORMAL);
-    if (scene.collide()) {
-      setMass(body, scene.traits(Kind.CIRCLE, i).mass());
+    if (collides) {
+      setMass(body, ball.mass());
     }
     body.setBullet(best);
-    body.translate(
-        metres(((Circle) scene.shape(Kind.CIRCLE, i)).x()),
-        metres(((Circle) scene.shape(Kind.CIRCLE, i)).y()));
-    Vec2 v = scene.velocity(Kind.CIRCLE, i);
-    body.setLinearVelocity(metresPerSecond(v.x()), metresPerSecond(v.y()));
-    body.setGravityScale(falls(scene, i) ? 1 : 0);
+    body.translate(ball.x(), ball.y());
+    body.setLinearVelocity(ball.vx(), ball.vy());
+    body.setGravityScale(ball.falls() ? 1 : 0);
     world.addBody(body);
     return body;
   }

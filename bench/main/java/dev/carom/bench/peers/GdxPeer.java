@@ -13,11 +13,8 @@ import com.badlogic.gdx.physics.box2d.Shape;
 import com.badlogic.gdx.physics.box2d.World;
 import com.badlogic.gdx.utils.GdxNativesLoader;
 import com.badlogic.gdx.utils.GdxRuntimeException;
-import dev.carom.Circle;
-import dev.carom.Kind;
 import dev.carom.Line;
 import dev.carom.Scene;
-import dev.carom.Vec2;
 
 /**
  * Box2D as libGDX carries it: C++ behind JNI, without its window. At its best no bounce is too slow
@@ -37,25 +34,15 @@ final class GdxPeer extends Peer {
   /** In m/s; Box2D's own. */
   private static final float USUAL_THRESHOLD = 1;
 
-  private final boolean best;
   private final World world;
   private final Body[] circles;
 
   GdxPeer(Scene scene, boolean best) {
-    super(scene, best ? metreFor(scene, 10, 1.6) : USUAL_METRE, SECONDS_PER_FRAME);
-    this.best = best;
+    super(scene, best, best ? metreFor(scene, 10, 1.6) : USUAL_METRE, SECONDS_PER_FRAME);
     loadNatives();
-    Vec2 g = scene.gravity();
-    world =
-        new World(
-            new Vector2(
-                (float) metresPerSecondSquared(g.x()), (float) metresPerSecondSquared(g.y())),
-            !best);
+    world = new World(new Vector2((float) gravity.x(), (float) gravity.y()), !best);
     edges(scene).forEach(this::addLine);
-    circles = new Body[scene.count(Kind.CIRCLE)];
-    for (int i = 0; i < circles.length; i++) {
-      circles[i] = addCircle(scene, i);
-    }
+    circles = balls(scene).stream().map(this::addCircle).toArray(Body[]::new);
   }
 
   private static void loadNatives() {
@@ -73,34 +60,27 @@ final class GdxPeer extends Peer {
   private void addLine(Edge edge) {
     Line line = edge.line();
     EdgeShape shape = new EdgeShape();
-    shape.set(
-        (float) metres(line.ax()),
-        (float) metres(line.ay()),
-        (float) metres(line.bx()),
-        (float) metres(line.by()));
+    shape.set((float) line.ax(), (float) line.ay(), (float) line.bx(), (float) line.by());
     if (best) {
       shape.setRadius(0);
     }
     addFixture(world.createBody(new BodyDef()), shape, LINES, CIRCLES, edge.restitution());
   }
 
-  private Body addCircle(Scene scene, int i) {
+  private Body addCircle(Ball ball) {
     BodyDef definition = new BodyDef();
     definition.type = BodyDef.BodyType.DynamicBody;
     definition.bullet = best;
-    definition.position.set(
-        (float) metres(((Circle) scene.shape(Kind.CIRCLE, i)).x()),
-        (float) metres(((Circle) scene.shape(Kind.CIRCLE, i)).y()));
-    Vec2 v = scene.velocity(Kind.CIRCLE, i);
-    definition.linearVelocity.set((float) metresPerSecond(v.x()), (float) metresPerSecond(v.y()));
-    definition.gravityScale = falls(scene, i) ? 1 : 0;
+    definition.position.set((float) ball.x(), (float) ball.y());
+    definition.linearVelocity.set((float) ball.vx(), (float) ball.vy());
+    definition.gravityScale = ball.falls() ? 1 : 0;
     CircleShape shape = new CircleShape();
-    shape.setRadius((float) metres(((Circle) scene.shape(Kind.CIRCLE, i)).radius()));
+    shape.setRadius((float) ball.radius());
     Body body = world.createBody(definition);
-    short others = scene.collide() ? ALL : LINES;
-    addFixture(body, shape, CIRCLES, others, circleRestitution(scene));
-    if (scene.collide()) {
-      setMass(body, scene.traits(Kind.CIRCLE, i).mass());
+    boolean collides = !Double.isNaN(ball.mass());
+    addFixture(body, shape, CIRCLES, collides ? ALL : LINES, ball.restitution());
+    if (collides) {
+      setMass(body, ball.mass());
     }
     return body;
   }

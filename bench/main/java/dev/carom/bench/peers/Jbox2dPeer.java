@@ -1,11 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 package dev.carom.bench.peers;
 
-import dev.carom.Circle;
-import dev.carom.Kind;
 import dev.carom.Line;
 import dev.carom.Scene;
-import dev.carom.Vec2;
 import org.jbox2d.collision.shapes.CircleShape;
 import org.jbox2d.collision.shapes.EdgeShape;
 import org.jbox2d.collision.shapes.MassData;
@@ -30,7 +27,6 @@ final class Jbox2dPeer extends Peer {
   private static final int CIRCLES = 1;
   private static final int LINES = 2;
 
-  private final boolean best;
   private final float step;
   private final World world;
   private final Body[] circles;
@@ -38,25 +34,18 @@ final class Jbox2dPeer extends Peer {
   Jbox2dPeer(Scene scene, boolean best) {
     super(
         scene,
+        best,
         best ? metreFor(scene, USUAL_METRE, 0.3) : USUAL_METRE,
         best ? SECONDS_PER_FRAME_AT_BEST : SECONDS_PER_FRAME);
-    this.best = best;
     step = (float) (best ? SECONDS_PER_FRAME_AT_BEST : SECONDS_PER_FRAME);
-    Vec2 g = scene.gravity();
-    world =
-        new World(
-            new org.jbox2d.common.Vec2(
-                (float) metresPerSecondSquared(g.x()), (float) metresPerSecondSquared(g.y())));
+    world = new World(point(gravity.x(), gravity.y()));
     world.setAllowSleep(!best);
     edges(scene).forEach(this::addLine);
-    circles = new Body[scene.count(Kind.CIRCLE)];
-    for (int i = 0; i < circles.length; i++) {
-      circles[i] = addCircle(scene, i);
-    }
+    circles = balls(scene).stream().map(this::addCircle).toArray(Body[]::new);
   }
 
-  private org.jbox2d.common.Vec2 point(double x, double y) {
-    return new org.jbox2d.common.Vec2((float) metres(x), (float) metres(y));
+  private static org.jbox2d.common.Vec2 point(double x, double y) {
+    return new org.jbox2d.common.Vec2((float) x, (float) y);
   }
 
   private void addLine(Edge edge) {
@@ -71,24 +60,21 @@ final class Jbox2dPeer extends Peer {
         .createFixture(fixture(shape, LINES, CIRCLES, edge.restitution()));
   }
 
-  private Body addCircle(Scene scene, int i) {
+  private Body addCircle(Ball ball) {
     BodyDef definition = new BodyDef();
     definition.type = BodyType.DYNAMIC;
     definition.bullet = best;
-    definition.position =
-        point(
-            ((Circle) scene.shape(Kind.CIRCLE, i)).x(), ((Circle) scene.shape(Kind.CIRCLE, i)).y());
-    Vec2 v = scene.velocity(Kind.CIRCLE, i);
-    definition.linearVelocity =
-        new org.jbox2d.common.Vec2((float) metresPerSecond(v.x()), (float) metresPerSecond(v.y()));
-    definition.gravityScale = falls(scene, i) ? 1 : 0;
+    definition.position = point(ball.x(), ball.y());
+    definition.linearVelocity = point(ball.vx(), ball.vy());
+    definition.gravityScale = ball.falls() ? 1 : 0;
     CircleShape shape = new CircleShape();
-    shape.setRadius((float) metres(((Circle) scene.shape(Kind.CIRCLE, i)).radius()));
+    shape.setRadius((float) ball.radius());
     Body body = world.createBody(definition);
-    int others = scene.collide() ? LINES | CIRCLES : LINES;
-    body.createFixture(fixture(shape, CIRCLES, others, circleRestitution(scene)));
-    if (scene.collide()) {
-      setMass(body, scene.traits(Kind.CIRCLE, i).mass());
+    boolean collides = !Double.isNaN(ball.mass());
+    int others = collides ? LINES | CIRCLES : LINES;
+    body.createFixture(fixture(shape, CIRCLES, others, ball.restitution()));
+    if (collides) {
+      setMass(body, ball.mass());
     }
     return body;
   }

@@ -2,9 +2,11 @@
 package dev.carom.bench.peers;
 
 import dev.carom.Bounds;
+import dev.carom.Circle;
 import dev.carom.Kind;
 import dev.carom.Line;
 import dev.carom.Scene;
+import dev.carom.Traits;
 import dev.carom.Vec2;
 import dev.carom.bench.methods.Method;
 import dev.carom.bench.methods.PlainScene;
@@ -34,15 +36,25 @@ abstract class Peer implements Method {
   static final double USUAL_METRE = 30;
 
   /** In px. */
-  final double metre;
+  private final double metre;
+
+  final boolean best;
+
+  /** In m/s^2. */
+  final Vec2 gravity;
 
   private final double secondsPerFrame;
 
-  Peer(Scene scene, double metre, double secondsPerFrame) {
+  Peer(Scene scene, boolean best, double metre, double secondsPerFrame) {
     PlainScene.checkObstacles(scene);
     checkRestitution(scene);
+    this.best = best;
     this.metre = metre;
     this.secondsPerFrame = secondsPerFrame;
+    Vec2 g = scene.gravity();
+    gravity =
+        new Vec2(
+            metresPerSecond(g.x()) / secondsPerFrame, metresPerSecond(g.y()) / secondsPerFrame);
   }
 
   /**
@@ -68,19 +80,8 @@ abstract class Peer implements Method {
     }
   }
 
-  /** The restitution of the circles' fixtures. */
-  static double circleRestitution(Scene scene) {
-    return scene.collide()
-        ? scene.traits(Kind.CIRCLE, 0).restitution() * scene.traits(Kind.CIRCLE, 0).restitution()
-        : 0;
-  }
-
   private static double fastest(Scene scene) {
-    double fastest = 0;
-    for (int i = 0; i < scene.count(Kind.CIRCLE); i++) {
-      fastest = Math.max(fastest, scene.velocity(Kind.CIRCLE, i).length());
-    }
-    return Math.hypot(fastest, Math.sqrt(2 * deepestFall(scene)));
+    return Math.hypot(PlainScene.fastest(scene), Math.sqrt(2 * deepestFall(scene)));
   }
 
   /** The energy of a unit of mass that falls from one corner of the bounds to the other. */
@@ -92,50 +93,83 @@ abstract class Peer implements Method {
         .orElse(0.0);
   }
 
-  /** Whether gravity acts on a circle, also where circles ignore each other. */
-  static boolean falls(Scene scene, int i) {
-    return scene.traits(Kind.CIRCLE, i).mass() < Double.POSITIVE_INFINITY;
-  }
-
   /** Both Box2Ds turn an infinite mass into a NaN. Their largest mass is as hard to move. */
   static float finiteMass(double mass) {
     return (float) Math.min(mass, Float.MAX_VALUE);
   }
 
-  /** A line, and the restitution of its fixture. */
+  /** A line in metres, and the restitution of its fixture. */
   record Edge(Line line, double restitution) {}
 
+  /**
+   * A circle in metres and seconds.
+   *
+   * @param mass NaN where circles do not collide, and it does not matter
+   * @param falls whether gravity acts on it, also where circles ignore each other
+   * @param restitution of its fixture
+   */
+  record Ball(
+      double x,
+      double y,
+      double radius,
+      double vx,
+      double vy,
+      double mass,
+      boolean falls,
+      double restitution) {}
+
+  final List<Ball> balls(Scene scene) {
+    List<Ball> balls = new ArrayList<>();
+    for (int i = 0; i < scene.count(Kind.CIRCLE); i++) {
+      Circle c = (Circle) scene.shape(Kind.CIRCLE, i);
+      Vec2 v = scene.velocity(Kind.CIRCLE, i);
+      Traits traits = scene.traits(Kind.CIRCLE, i);
+      balls.add(
+          new Ball(
+              metres(c.x()),
+              metres(c.y()),
+              metres(c.radius()),
+              metresPerSecond(v.x()),
+              metresPerSecond(v.y()),
+              scene.collide() ? traits.mass() : Double.NaN,
+              traits.mass() < Double.POSITIVE_INFINITY,
+              scene.collide() ? traits.restitution() * traits.restitution() : 0));
+    }
+    return balls;
+  }
+
   /** The lines, and the four walls as lines. */
-  static List<Edge> edges(Scene scene) {
+  final List<Edge> edges(Scene scene) {
     List<Edge> edges = new ArrayList<>();
     double circles = scene.count(Kind.CIRCLE) == 0 ? 1 : scene.traits(Kind.CIRCLE, 0).restitution();
     for (int k = 0; k < scene.count(Kind.LINE); k++) {
       edges.add(
-          new Edge(
+          edge(
               (Line) scene.shape(Kind.LINE, k),
               circles * scene.traits(Kind.LINE, k).restitution()));
     }
     if (scene.bounds().isPresent()) {
       Bounds b = scene.bounds().get();
       double e = circles * scene.traits(Kind.WALL, 0).restitution();
-      edges.add(new Edge(new Line(b.xmin(), b.ymin(), b.xmax(), b.ymin()), e));
-      edges.add(new Edge(new Line(b.xmax(), b.ymin(), b.xmax(), b.ymax()), e));
-      edges.add(new Edge(new Line(b.xmax(), b.ymax(), b.xmin(), b.ymax()), e));
-      edges.add(new Edge(new Line(b.xmin(), b.ymax(), b.xmin(), b.ymin()), e));
+      edges.add(edge(new Line(b.xmin(), b.ymin(), b.xmax(), b.ymin()), e));
+      edges.add(edge(new Line(b.xmax(), b.ymin(), b.xmax(), b.ymax()), e));
+      edges.add(edge(new Line(b.xmax(), b.ymax(), b.xmin(), b.ymax()), e));
+      edges.add(edge(new Line(b.xmin(), b.ymax(), b.xmin(), b.ymin()), e));
     }
     return edges;
   }
 
-  final double metres(double px) {
+  private Edge edge(Line l, double restitution) {
+    return new Edge(
+        new Line(metres(l.ax()), metres(l.ay()), metres(l.bx()), metres(l.by())), restitution);
+  }
+
+  private double metres(double px) {
     return px / metre;
   }
 
-  final double metresPerSecond(double pxPerFrame) {
+  private double metresPerSecond(double pxPerFrame) {
     return pxPerFrame / metre / secondsPerFrame;
-  }
-
-  final double metresPerSecondSquared(double pxPerFrameSquared) {
-    return metresPerSecond(pxPerFrameSquared) / secondsPerFrame;
   }
 
   final double px(double metres) {

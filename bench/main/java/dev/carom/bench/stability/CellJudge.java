@@ -3,9 +3,9 @@ package dev.carom.bench.stability;
 
 import dev.carom.Circle;
 import dev.carom.Kind;
-import dev.carom.Scene;
 import dev.carom.bench.methods.Contender;
 import dev.carom.bench.methods.Method;
+import dev.carom.bench.methods.PlainScene;
 import dev.carom.bench.reference.Reference;
 
 /** Plays a cell by a method and tells what became of it. */
@@ -67,7 +67,7 @@ final class CellJudge {
         worst = Math.max(worst, error / ((Circle) cell.scene().shape(Kind.CIRCLE, i)).radius());
       }
     }
-    if (speedError(method, truth) > LOST * fastest(cell.scene())) {
+    if (speedError(method, truth) > LOST * PlainScene.fastest(cell.scene())) {
       return Judged.lost(CellOutcome.LOST_SPEED);
     }
     CellOutcome outcome =
@@ -86,13 +86,5 @@ final class CellJudge {
       worst = Double.isFinite(error) ? Math.max(worst, error) : Double.POSITIVE_INFINITY;
     }
     return worst;
-  }
-
-  private static double fastest(Scene scene) {
-    double fastest = 0;
-    for (int i = 0; i < scene.count(Kind.CIRCLE); i++) {
-      fastest = Math.max(fastest, scene.velocity(Kind.CIRCLE, i).length());
-    }
-    return fastest;
   }
 }

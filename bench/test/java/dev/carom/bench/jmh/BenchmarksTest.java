@@ -46,8 +46,7 @@ class BenchmarksTest {
                 GasBenchmark.class,
                 GrowthBenchmark.class,
                 QueryBenchmark.class,
-                QuestionBenchmark.class,
-                WorldBenchmark.class)
+                QuestionBenchmark.class)
             .flatMap(type -> Stream.of(type.getDeclaredMethods()))
             .filter(method -> method.isAnnotationPresent(Benchmark.class))
             .count();
