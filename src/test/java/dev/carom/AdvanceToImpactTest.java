@@ -8,8 +8,6 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.Random;
 import org.junit.jupiter.api.Test;
-import org.junit.jupiter.params.ParameterizedTest;
-import org.junit.jupiter.params.provider.ValueSource;
 
 class AdvanceToImpactTest {
 
@@ -38,8 +36,7 @@ class AdvanceToImpactTest {
   }
 
   /** From impact to impact, the same rows and the same end as in one step. */
-  @ParameterizedTest
-  @ValueSource(booleans = {false, true})
+  @CollidingOrNot
   void stopsCutARunAsStepsDo(boolean collide) {
     Random random = new Random(3);
     int stops = 0;
@@ -64,8 +61,7 @@ class AdvanceToImpactTest {
   }
 
   /** A world that stands just before the stop has had no impact: not one is passed by. */
-  @ParameterizedTest
-  @ValueSource(booleans = {false, true})
+  @CollidingOrNot
   void nothingIsPassedBy(boolean collide) {
     Random random = new Random(4);
     int stops = 0;
@@ -106,8 +102,7 @@ class AdvanceToImpactTest {
   }
 
   /** 40 / 3 is above its nearest double by a tail, and a sensor is no flight's end. */
-  @ParameterizedTest
-  @ValueSource(booleans = {false, true})
+  @CollidingOrNot
   void sensorsCount(boolean collide) {
     SceneBuilder scene = Scene.builder().collide(collide);
     scene.line(60, 0, 60, 100).response(Response.SENSOR).circle(10, 50, 10, 3, 0);

@@ -140,8 +140,7 @@ class AllocationTest {
   }
 
   /** Velocities set before each frame, sensors on the way, circles that collide or do not. */
-  @ParameterizedTest
-  @ValueSource(booleans = {false, true})
+  @CollidingOrNot
   void framesWithEditsAllocateNothing(boolean collide) throws ReflectiveOperationException {
     SceneBuilder builder = RandomScenes.responses(new Random(1)).collide(collide);
     World world = new World(builder.circle(400, 300, 30, 1, 2).response(Response.SENSOR).build());
@@ -282,8 +281,7 @@ class AllocationTest {
   }
 
   /** Lines and pegs that move, slowly, so that they stay among the circles. */
-  @ParameterizedTest
-  @ValueSource(booleans = {false, true})
+  @CollidingOrNot
   void framesWithMovingObstaclesAllocateNothing(boolean collide)
       throws ReflectiveOperationException {
     Random random = new Random(3);
@@ -301,8 +299,7 @@ class AllocationTest {
   }
 
   /** Circles to and fro between walls: the past that is kept has as many flights at any time. */
-  @ParameterizedTest
-  @ValueSource(booleans = {false, true})
+  @CollidingOrNot
   void recordedFramesAllocateNothing(boolean collide) throws ReflectiveOperationException {
     SceneBuilder builder = Scene.builder().collide(collide).bounds(0, 0, 100, 100);
     for (int i = 0; i < 5; i++) {
@@ -323,8 +320,7 @@ class AllocationTest {
   }
 
   /** Balls that bounce, slide and rest under gravity. */
-  @ParameterizedTest
-  @ValueSource(booleans = {false, true})
+  @CollidingOrNot
   void framesWithGravityAllocateNothing(boolean collide) throws ReflectiveOperationException {
     Random random = new Random(3);
     SceneBuilder builder = Scene.builder().collide(collide).bounds(0, 0, 400, 300);
@@ -347,8 +343,7 @@ class AllocationTest {
    * As much for a thousand casts as for one: what a call makes, and nothing for each cast. They are
    * so small that none overlaps two things at once: which is first would be decided exactly.
    */
-  @ParameterizedTest
-  @ValueSource(booleans = {false, true})
+  @CollidingOrNot
   void castsInBulkAllocateNothingEach(boolean collide) throws ReflectiveOperationException {
     Random random = new Random(1);
     SceneBuilder scene = Scene.builder().bounds(0, 0, 800, 600).collide(collide);
@@ -378,8 +373,7 @@ class AllocationTest {
   }
 
   /** The impact that it returns, and an Optional. */
-  @ParameterizedTest
-  @ValueSource(booleans = {false, true})
+  @CollidingOrNot
   void aCastOfAWorldAllocatesItsAnswer(boolean collide) throws ReflectiveOperationException {
     World world =
         new World(

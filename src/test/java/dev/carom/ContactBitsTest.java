@@ -130,8 +130,7 @@ class ContactBitsTest {
   }
 
   /** What contact knew of obstacles is forgotten where others are restored. */
-  @ParameterizedTest
-  @ValueSource(booleans = {false, true})
+  @CollidingOrNot
   void whatWasTouchedBeforeARestoreDoesNotMatter(boolean collide) {
     SceneBuilder scene = Scene.builder().collide(collide).gravity(0, -10).peg(0, 0, 1).peg(3, 0, 1);
     World used = new World(scene.circle(1.4, 8, 1, 0, 0).restitution(0.5).build());

@@ -100,8 +100,7 @@ class ContactTurningTest {
   }
 
   /** When the turn ends nothing holds the ball: it flies straight, as fast as it was. */
-  @ParameterizedTest
-  @ValueSource(booleans = {false, true})
+  @CollidingOrNot
   void atTheEndItFliesFreely(boolean collide) {
     World world = new World(line(60, 0, 0, collide).circle(12, 3, 3, 0, 0).build());
     world.turn(Kind.LINE, 0, 0, 0, STROKE, TIME);
@@ -334,8 +333,7 @@ class ContactTurningTest {
   }
 
   /** Without gravity also in contact: a ball that is pushed slides along, and comes no nearer. */
-  @ParameterizedTest
-  @ValueSource(booleans = {false, true})
+  @CollidingOrNot
   void aOneWayLineStopsABallThatOverlapsIt(boolean collide) {
     World world =
         new World(
@@ -520,8 +518,7 @@ class ContactTurningTest {
    * So large and slow that what pulls a circle underflows: contact has no clock for it. It leaves
    * and bounces on, and {@code advanceTo} says that this is too much, but no line passes over it.
    */
-  @ParameterizedTest
-  @ValueSource(booleans = {false, true})
+  @CollidingOrNot
   void whereTheAccelerationUnderflowsNoLinePassesOverABall(boolean collide) {
     double l = 0x1p480;
     double time = 0x1p900;

@@ -33,8 +33,7 @@ class LockstepTest {
   }
 
   /** A search had gone beyond now, in one world only, before there was a sensor. */
-  @ParameterizedTest
-  @ValueSource(booleans = {false, true})
+  @CollidingOrNot
   void theFirstSensorFindsNoDifference(boolean collide) {
     for (double vx : new double[] {0, 1}) {
       Scene scene = Scene.builder().collide(collide).peg(6, 7, 0).circle(1, 11, 1, vx, 0).build();

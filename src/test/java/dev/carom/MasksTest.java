@@ -11,7 +11,6 @@ import java.util.Optional;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
-import org.junit.jupiter.params.provider.ValueSource;
 
 /** Two things whose categories and masks have no bit in common do not exist for each other. */
 class MasksTest {
@@ -26,8 +25,7 @@ class MasksTest {
     return Scene.builder().bounds(0, 0, 100, 100).filter(new Filter(1, ~A));
   }
 
-  @ParameterizedTest
-  @ValueSource(booleans = {false, true})
+  @CollidingOrNot
   void aCircleLeavesWallsThatItCannotMeet(boolean collide) {
     SceneBuilder scene = box().collide(collide).circle(50, 50, 10, 8, 0).filter(new Filter(A, -1));
     scene

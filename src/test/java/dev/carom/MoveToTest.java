@@ -131,8 +131,7 @@ class MoveToTest {
 
   // Circles in the way.
 
-  @ParameterizedTest
-  @ValueSource(booleans = {false, true})
+  @CollidingOrNot
   void aBallInFrontLeavesWithTwiceTheVelocity(boolean collide) {
     World world = new World(paddle().circle(5, 0, 1, 0, 0).collide(collide).build());
     world.moveTo(Kind.LINE, 0, 8, -10, 4);
@@ -143,8 +142,7 @@ class MoveToTest {
     assertThat(world.x(0)).isEqualTo(5 + 8 * 4);
   }
 
-  @ParameterizedTest
-  @ValueSource(booleans = {false, true})
+  @CollidingOrNot
   void beyondItsArrivalItPushesNothing(boolean collide) {
     World world = new World(paddle().circle(5, 0, 1, 0, 0).collide(collide).build());
     world.moveTo(Kind.LINE, 0, 3.9, -10, 4);
@@ -158,8 +156,7 @@ class MoveToTest {
   }
 
   /** A ball that follows a paddle catches up only as it stops. */
-  @ParameterizedTest
-  @ValueSource(booleans = {false, true})
+  @CollidingOrNot
   void aBallBehindHitsThePaddleAtRest(boolean collide) {
     World world = new World(paddle().circle(-2, 0, 1, 1, 0).collide(collide).build());
     world.moveTo(Kind.LINE, 0, 4, -10, 4);
@@ -170,8 +167,7 @@ class MoveToTest {
   }
 
   /** One that touches it all the time, too. */
-  @ParameterizedTest
-  @ValueSource(booleans = {false, true})
+  @CollidingOrNot
   void aBallInTouchHitsThePaddleAsItStops(boolean collide) {
     World world = new World(paddle().circle(-1, 0, 1, 1, 0).collide(collide).build());
     world.moveTo(Kind.LINE, 0, 4, -10, 4);
@@ -182,8 +178,7 @@ class MoveToTest {
   }
 
   /** A ball that is set in front of it at the time of its arrival meets a paddle at rest. */
-  @ParameterizedTest
-  @ValueSource(booleans = {false, true})
+  @CollidingOrNot
   void aBallThatComesAtTheArrivalIsNotPushed(boolean collide) {
     World world = new World(paddle().circle(50, 0, 1, 0, 0).collide(collide).build());
     world.moveTo(Kind.LINE, 0, 4, -10, 4);
@@ -195,8 +190,7 @@ class MoveToTest {
   }
 
   /** With {@code setShape} in each frame most of them pass. */
-  @ParameterizedTest
-  @ValueSource(booleans = {false, true})
+  @CollidingOrNot
   void aPaddleSentSomewhereInEachFrameLetsNoBallThrough(boolean collide) {
     assertThat(passed(collide, true)).isZero();
     assertThat(passed(collide, false)).isGreaterThan(20);

@@ -203,8 +203,7 @@ class MovingObstaclesTest {
   }
 
   /** Also where it gets its new velocity at the place and the time at which a flight begins. */
-  @ParameterizedTest
-  @ValueSource(booleans = {false, true})
+  @CollidingOrNot
   void whatHasLeftACircleThatItCrushedIsMetAgain(boolean collide) {
     World world =
         world(

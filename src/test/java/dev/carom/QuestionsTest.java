@@ -337,8 +337,7 @@ class QuestionsTest {
   }
 
   /** Casts in bulk and one by one. */
-  @ParameterizedTest
-  @ValueSource(booleans = {false, true})
+  @CollidingOrNot
   void manyCastsInOneCallAreAnsweredAsOneByOne(boolean collide) {
     Random random = new Random(1);
     Scene scene = scene(random, 1, collide, true);

@@ -15,7 +15,6 @@ import java.util.function.Consumer;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
-import org.junit.jupiter.params.provider.ValueSource;
 
 /**
  * A snapshot of a recorded moment is the one that a world takes that stands there. {@link
@@ -178,8 +177,7 @@ class RewindTest {
   // Changes within flights.
 
   /** Snapshots before and after each change, then one more change of the same kind. */
-  @ParameterizedTest
-  @ValueSource(booleans = {false, true})
+  @CollidingOrNot
   void eachPropertyIsRecorded(boolean collide) {
     World world = SnapshotTest.world(collide);
     Timeline past = world.record(MOST);
@@ -298,8 +296,7 @@ class RewindTest {
   }
 
   /** Those that came and went leave their ids, also when the recording has dropped them. */
-  @ParameterizedTest
-  @ValueSource(booleans = {false, true})
+  @CollidingOrNot
   void idsAreNotGivenAgain(boolean collide) {
     World world = SnapshotTest.world(collide);
     Timeline past = world.record(2);

@@ -108,8 +108,7 @@ class SnapshotStreamTest {
     return SnapshotBytes.of(world.snapshot()).length - before;
   }
 
-  @ParameterizedTest
-  @ValueSource(booleans = {false, true})
+  @CollidingOrNot
   void aLineOrPegThatWasRemovedTakesAByteAndACircleNone(boolean collide) throws IOException {
     World world = new World(room().collide(collide).circle(50, 50, 5, 1, 2).build());
     int before = SnapshotBytes.of(world.snapshot()).length;
@@ -124,8 +123,7 @@ class SnapshotStreamTest {
     assertThat(read(after)).isEqualTo(world.snapshot());
   }
 
-  @ParameterizedTest
-  @ValueSource(booleans = {false, true})
+  @CollidingOrNot
   void aWorldGoesOnWithoutThoseThatWereRemoved(boolean collide) {
     World world = new World(RandomScenes.responses(new Random(5)).collide(collide).build());
     for (int i = 0; i < 20; i++) {
@@ -153,8 +151,7 @@ class SnapshotStreamTest {
     return SnapshotBytes.of(new World(scene.build()).snapshot()).length;
   }
 
-  @ParameterizedTest
-  @ValueSource(booleans = {false, true})
+  @CollidingOrNot
   void aStreamHoldsOneSnapshotAfterAnother(boolean collide) throws IOException {
     World world = new World(RandomScenes.responses(new Random(3)).collide(collide).build());
     world.step(20);

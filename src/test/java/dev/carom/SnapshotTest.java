@@ -18,7 +18,6 @@ import java.util.stream.Stream;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.MethodSource;
-import org.junit.jupiter.params.provider.ValueSource;
 
 /** Contents of a snapshot, and the return to it. */
 class SnapshotTest {
@@ -96,8 +95,7 @@ class SnapshotTest {
     }
   }
 
-  @ParameterizedTest
-  @ValueSource(booleans = {false, true})
+  @CollidingOrNot
   void whoWasRemovedDetermineNothing(boolean collide) {
     World one = world(collide);
     World two = world(collide);
@@ -108,8 +106,7 @@ class SnapshotTest {
     assertThat(one.snapshot()).isEqualTo(two.snapshot()).hasSameHashCodeAs(two.snapshot());
   }
 
-  @ParameterizedTest
-  @ValueSource(booleans = {false, true})
+  @CollidingOrNot
   void aRestoredWorldGoesOnAsTheOneItWasTakenFrom(boolean collide) {
     World one = world(collide);
     one.step(7);

@@ -35,8 +35,7 @@ class TimelineTest {
     return new World(Scene.builder().line(-9, 0, 9, 0).circle(0, 5, 1, 0, -2).build());
   }
 
-  @ParameterizedTest
-  @ValueSource(booleans = {false, true})
+  @CollidingOrNot
   void onlyTheLastSoMuchTimeIsKept(boolean collide) {
     SceneBuilder scene = Scene.builder().bounds(0, 0, 10, 10).collide(collide);
     World world = new World(scene.circle(5, 2, 1, 4, 0).circle(5, 8, 1, 0, 0).build());
@@ -125,8 +124,7 @@ class TimelineTest {
     assertThat(timeline.end()).isEqualTo(3);
   }
 
-  @ParameterizedTest
-  @ValueSource(booleans = {false, true})
+  @CollidingOrNot
   void aTimelineThatStoppedStaysAsItIs(boolean collide) {
     World world =
         new World(
@@ -243,8 +241,7 @@ class TimelineTest {
     return world;
   }
 
-  @ParameterizedTest
-  @ValueSource(booleans = {false, true})
+  @CollidingOrNot
   void ofRemovedCirclesTheFirstAreDropped(boolean collide) {
     Timeline[] past = new Timeline[1];
     turnover(collide, 4, past);

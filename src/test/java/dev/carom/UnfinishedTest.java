@@ -29,8 +29,7 @@ class UnfinishedTest {
     return catchThrowableOfType(UnfinishedException.class, call::run);
   }
 
-  @ParameterizedTest
-  @ValueSource(booleans = {false, true})
+  @CollidingOrNot
   void anEndlessStepThrowsAndNamesTheCircle(boolean collide) {
     World world = endless(collide);
     UnfinishedException e = unfinished(() -> world.step(1));
@@ -53,8 +52,7 @@ class UnfinishedTest {
   }
 
   /** The log holds what was done, and the second call goes on: bounded otherwise, the same bits. */
-  @ParameterizedTest
-  @ValueSource(booleans = {false, true})
+  @CollidingOrNot
   void afterTheExceptionTheWorldGoesOn(boolean collide) {
     World world = endless(collide);
     assertThat(unfinished(() -> world.advanceTo(1))).isNotNull();
@@ -75,8 +73,7 @@ class UnfinishedTest {
   }
 
   /** Any work will do, 1 too: so many calls, the same rows and the same end. */
-  @ParameterizedTest
-  @ValueSource(booleans = {false, true})
+  @CollidingOrNot
   void noBitDependsOnTheWork(boolean collide) {
     Random random = new Random(5);
     for (int k = 0; k < 20; k++) {
@@ -92,8 +89,7 @@ class UnfinishedTest {
   }
 
   /** Under gravity the circles of a heap are in contact, and ticks are work, too. */
-  @ParameterizedTest
-  @ValueSource(booleans = {false, true})
+  @CollidingOrNot
   void noBitOfAHeapDependsOnTheWork(boolean collide) {
     SceneBuilder scene = Scene.builder().collide(collide).bounds(0, 0, 10, 20).gravity(0, -10);
     scene.line(0, 4, 10, 2);
@@ -151,8 +147,7 @@ class UnfinishedTest {
   }
 
   /** At each impact the circle is sent back at once: the clock stands, and the budget is shared. */
-  @ParameterizedTest
-  @ValueSource(booleans = {false, true})
+  @CollidingOrNot
   void aLoopOfImpactsAtOneTimeEnds(boolean collide) {
     SceneBuilder scene = Scene.builder().collide(collide).bounds(0, 0, 100, 100);
     World world = new World(scene.circle(50, 50, 5, 1, 0).build());

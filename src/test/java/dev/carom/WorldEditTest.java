@@ -40,8 +40,7 @@ class WorldEditTest {
   // Lines and pegs.
 
   /** A paddle that goes up and down every frame; the circle meets it where it is by then. */
-  @ParameterizedTest
-  @ValueSource(booleans = {false, true})
+  @CollidingOrNot
   void aMovedPaddleIsHitWhereItIs(boolean collide) {
     World world = world(box().collide(collide).line(50, 0, 50, 20).circle(20, 50, 5, 1, 0));
     for (int frame = 1; frame <= 24; frame++) {
@@ -56,8 +55,7 @@ class WorldEditTest {
     assertThat(times(world, LINE, 60)).containsExactly(45.0);
   }
 
-  @ParameterizedTest
-  @ValueSource(booleans = {false, true})
+  @CollidingOrNot
   void whatWasSetIsReadBack(boolean collide) {
     World world =
         world(
@@ -150,8 +148,7 @@ class WorldEditTest {
 
   /** A circle in a corridor as wide as itself never comes to an end; an edit sets it free. */
   @Tag("long")
-  @ParameterizedTest
-  @ValueSource(booleans = {false, true})
+  @CollidingOrNot
   void anUnfinishedWorldCanBeEdited(boolean collide) {
     World world =
         world(
@@ -203,8 +200,7 @@ class WorldEditTest {
     assertThat(other.snapshot()).isEqualTo(world.snapshot());
   }
 
-  @ParameterizedTest
-  @ValueSource(booleans = {false, true})
+  @CollidingOrNot
   void aCircleBeyondTheRangeOfDoublesCanBeEdited(boolean collide) {
     for (double v : new double[] {100 * S, -100 * S}) {
       assertHarmless(collide, v, w -> w.setVelocity(0, -v, 1));

@@ -139,8 +139,7 @@ class WorldTest {
   // Arguments.
 
   /** Else a loop until some time would never end. */
-  @ParameterizedTest
-  @ValueSource(booleans = {false, true})
+  @CollidingOrNot
   void refusesAStepThatCannotMoveTheClock(boolean collide) {
     World world = new World(Scene.builder().collide(collide).circle(0, 0, 1, 0, 0).build());
     world.step(Double.MIN_VALUE);

@@ -33,11 +33,7 @@ record GasPart(String scene, Contender contender) implements Part {
   @Override
   public List<Row> run() {
     Trial trial = new Trial(scene, contender);
-    try {
-      return measure(trial, Subjects.scene(scene), Subjects.FRAMES);
-    } catch (UnsupportedOperationException | LinkageError e) {
-      return List.of(trial.failure(e));
-    }
+    return trial.rows(() -> measure(trial, Subjects.scene(scene), Subjects.FRAMES));
   }
 
   /** The worst of all frames; circles are counted as lost at the end. */
@@ -58,7 +54,8 @@ record GasPart(String scene, Contender contender) implements Part {
     return rows;
   }
 
-  private static double worse(double worst, double next) {
+  /** The greater of both, or NaN if the next one is. */
+  static double worse(double worst, double next) {
     return Double.isNaN(next) ? next : Math.max(worst, next);
   }
 

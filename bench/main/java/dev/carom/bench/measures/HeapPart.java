@@ -36,11 +36,7 @@ record HeapPart(String scene, Contender contender) implements Part {
   @Override
   public List<Row> run() {
     Trial trial = new Trial(scene, contender);
-    try {
-      return measure(trial, Subjects.scene(scene), Subjects.FRAMES);
-    } catch (UnsupportedOperationException | LinkageError e) {
-      return List.of(trial.failure(e));
-    }
+    return trial.rows(() -> measure(trial, Subjects.scene(scene), Subjects.FRAMES));
   }
 
   /** Of heaps that are not at rest at the end, the frame is infinite. */
@@ -52,8 +48,8 @@ record HeapPart(String scene, Contender contender) implements Part {
     double gained = 0;
     int moved = 0;
     for (int frame = 1; frame <= frames; frame++) {
-      overlap = worse(overlap, overlap(run, scene, frame));
-      gained += worse(0, energy(run, scene, frame) - energy(run, scene, frame - 1));
+      overlap = GasPart.worse(overlap, overlap(run, scene, frame));
+      gained += GasPart.worse(0, energy(run, scene, frame) - energy(run, scene, frame - 1));
       for (int i = 0; i < run.circles(); i++) {
         moved = run.speed(frame, i) < AT_REST ? moved : frame;
       }
@@ -64,10 +60,6 @@ record HeapPart(String scene, Contender contender) implements Part {
     rows.add(trial.row(ENERGY, "gained", gained / energy(run, scene, 0), Trial.ONE, frames));
     rows.add(trial.row(REST, "frame", rest, Trial.FRAMES, frames));
     return rows;
-  }
-
-  private static double worse(double worst, double next) {
-    return Double.isNaN(next) ? next : Math.max(worst, next);
   }
 
   private static double energy(RecordedRun run, Scene scene, int frame) {
@@ -87,7 +79,7 @@ record HeapPart(String scene, Contender contender) implements Part {
       double x = run.x(frame, i);
       double left = Math.min(x - b.xmin(), b.xmax() - x);
       double room = Math.min(left, run.y(frame, i) - b.ymin());
-      deepest = worse(deepest, (r - room) / r);
+      deepest = GasPart.worse(deepest, (r - room) / r);
     }
     return deepest;
   }

@@ -3,6 +3,8 @@ package dev.carom.bench.measures;
 
 import dev.carom.bench.methods.Contender;
 import dev.carom.bench.results.Row;
+import java.util.List;
+import java.util.function.Supplier;
 
 /**
  * One contender on one scene: what all rows of a measure have in common.
@@ -28,6 +30,15 @@ record Trial(String scene, Contender contender, int fork) {
 
   Row row(String metric, String stat, double value, String unit, long n) {
     return new Row(scene, contender.method(), contender.knob(), metric, stat, value, unit, n, fork);
+  }
+
+  /** What the measure finds, or the row that tells why the contender cannot play. */
+  List<Row> rows(Supplier<List<Row>> measure) {
+    try {
+      return measure.get();
+    } catch (UnsupportedOperationException | LinkageError e) {
+      return List.of(failure(e));
+    }
   }
 
   /** Tells why there is nothing, or nothing more. */

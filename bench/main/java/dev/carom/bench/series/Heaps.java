@@ -131,7 +131,7 @@ public final class Heaps {
       for (double[] round : nanos) {
         last = pile.play(round);
       }
-      add(rows, pile.name, medians(nanos), last);
+      add(rows, pile.name, SeriesRows.medians(List.of(nanos)), last);
     }
     return rows;
   }
@@ -150,16 +150,5 @@ public final class Heaps {
   private static Row row(
       String scene, String metric, String stat, double value, String unit, int n) {
     return new Row(scene, "carom", "", metric, stat, value, unit, n, 0);
-  }
-
-  /** The median time of each frame over the rounds. */
-  private static double[] medians(double[][] rounds) {
-    double[] medians = new double[rounds[0].length];
-    for (int i = 0; i < medians.length; i++) {
-      int frame = i;
-      medians[i] =
-          SeriesRows.median(Arrays.stream(rounds).mapToDouble(round -> round[frame]).toArray());
-    }
-    return medians;
   }
 }

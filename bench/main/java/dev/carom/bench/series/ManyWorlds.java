@@ -72,12 +72,10 @@ public record ManyWorlds(int worlds, int rounds) {
       }
     }
     for (int k = 0; k < threads.length; k++) {
-      double[] sorted = Arrays.stream(speeds[k]).sorted().toArray();
       String knob = THREADS + threads[k];
-      double median = (sorted[(rounds - 1) / 2] + sorted[rounds / 2]) / 2;
-      rows.add(row(knob, SPEED, "median", median, "1/s"));
-      rows.add(row(knob, SPEED, "min", sorted[0], "1/s"));
-      rows.add(row(knob, SPEED, "max", sorted[rounds - 1], "1/s"));
+      rows.add(row(knob, SPEED, "median", SeriesRows.median(speeds[k]), "1/s"));
+      rows.add(row(knob, SPEED, "min", Arrays.stream(speeds[k]).min().orElseThrow(), "1/s"));
+      rows.add(row(knob, SPEED, "max", Arrays.stream(speeds[k]).max().orElseThrow(), "1/s"));
     }
     rows.add(row("", MEMORY, "mean", bytes(), "bytes"));
     rows.add(row("", HASH, "low", (double) (expected & 0xffffffffL), "1"));

@@ -47,6 +47,13 @@ final class SeriesRows {
     rows.add(new Row(scene, c.method(), c.knob(), metric, stat, value, unit, n, 0));
   }
 
+  /** The median of each frame over all replays: disturbances by the machine fall on few of them. */
+  static double[] medians(List<double[]> replays) {
+    double[] medians = new double[replays.get(0).length];
+    Arrays.setAll(medians, frame -> median(replays.stream().mapToDouble(r -> r[frame]).toArray()));
+    return medians;
+  }
+
   /** The mean of both middle values if their number is even. */
   static double median(double[] values) {
     double[] sorted = values.clone();

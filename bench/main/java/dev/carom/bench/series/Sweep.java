@@ -86,7 +86,8 @@ public final class Sweep {
         turns.rounds(plan.replays(), contenders, contender -> replay(contender, scene));
     String name = SCENE + point.axis().label() + "=" + point.at();
     boolean sorted = point.axis() == SweepPlan.Axis.RADIUS;
-    nanos.forEach((contender, replays) -> add(name, contender, scene, medians(replays), sorted));
+    nanos.forEach(
+        (contender, replays) -> add(name, contender, scene, SeriesRows.medians(replays), sorted));
   }
 
   /** The time of each frame. */
@@ -100,14 +101,6 @@ public final class Sweep {
       }
     }
     return nanos;
-  }
-
-  /** The median of each frame over all replays: disturbances by the machine fall on few of them. */
-  private double[] medians(List<double[]> replays) {
-    double[] medians = new double[plan.frames()];
-    Arrays.setAll(
-        medians, frame -> SeriesRows.median(replays.stream().mapToDouble(r -> r[frame]).toArray()));
-    return medians;
   }
 
   /** Frames are sorted by their impacts where all scenes have the same number of things. */
