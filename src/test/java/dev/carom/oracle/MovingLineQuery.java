@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 package dev.carom.oracle;
 
-import java.util.List;
-
 /**
  * When does the circle (p, r), moving with v, hit the line a-b, moving with u, within the time
  * 0..end?
@@ -61,11 +59,6 @@ public record MovingLineQuery(
   @Override
   public Answer ask(Detector detector) {
     return detector.movingLine(this);
-  }
-
-  @Override
-  public List<String> names() {
-    return List.of("ax", "ay", "bx", "by", "px", "py", "r", "vx", "vy", "ux", "uy", "T");
   }
 
   @Override

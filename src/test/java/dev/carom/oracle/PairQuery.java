@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 package dev.carom.oracle;
 
-import java.util.List;
-
 /** When do two moving circles hit each other, within the time 0..end? */
 public record PairQuery(
     double x1,
@@ -41,11 +39,6 @@ public record PairQuery(
   @Override
   public Answer ask(Detector detector) {
     return detector.pair(this);
-  }
-
-  @Override
-  public List<String> names() {
-    return List.of("x1", "y1", "r1", "vx1", "vy1", "x2", "y2", "r2", "vx2", "vy2", "T");
   }
 
   @Override

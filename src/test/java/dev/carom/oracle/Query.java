@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 package dev.carom.oracle;
 
-import java.util.List;
+import java.lang.reflect.RecordComponent;
 import java.util.StringJoiner;
 import java.util.stream.DoubleStream;
 
@@ -15,10 +15,7 @@ public sealed interface Query extends Question
   /** The answer of a detector under test. */
   Answer ask(Detector detector);
 
-  /** The names of the numbers, in the order of the record. */
-  List<String> names();
-
-  /** The numbers in the same order. */
+  /** The numbers in the order of the record. */
   double[] numbers();
 
   /** A query of the same kind with other numbers. */
@@ -33,10 +30,10 @@ public sealed interface Query extends Question
   @Override
   default String hex() {
     StringJoiner text = new StringJoiner(", ", getClass().getSimpleName() + "(", ")");
-    List<String> names = names();
+    RecordComponent[] names = getClass().getRecordComponents();
     double[] numbers = numbers();
     for (int i = 0; i < numbers.length; i++) {
-      text.add("/*" + names.get(i) + "*/ " + Double.toHexString(numbers[i]));
+      text.add("/*" + names[i].getName() + "*/ " + Double.toHexString(numbers[i]));
     }
     return text.toString();
   }

@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 package dev.carom.oracle;
 
-import java.util.List;
-
 /** When does the circle (p, r), moving with v, hit the line a-b, within the time 0..end? */
 public record SegmentQuery(
     double ax,
@@ -35,11 +33,6 @@ public record SegmentQuery(
   @Override
   public Answer ask(Detector detector) {
     return detector.line(this);
-  }
-
-  @Override
-  public List<String> names() {
-    return List.of("ax", "ay", "bx", "by", "px", "py", "r", "vx", "vy", "T");
   }
 
   @Override

@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 package dev.carom.oracle;
 
-import java.util.List;
-
 /** When does the circle (p, r), moving with v, hit one of four walls, within the time 0..end? */
 public record WallQuery(
     double px,
@@ -35,11 +33,6 @@ public record WallQuery(
   @Override
   public Answer ask(Detector detector) {
     return detector.bounds(this);
-  }
-
-  @Override
-  public List<String> names() {
-    return List.of("px", "py", "r", "vx", "vy", "xmin", "ymin", "xmax", "ymax", "T");
   }
 
   @Override
