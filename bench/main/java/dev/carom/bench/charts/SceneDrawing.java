@@ -9,7 +9,6 @@ import dev.carom.Outline;
 import dev.carom.Scene;
 import dev.carom.Trajectory;
 import dev.carom.Vec2;
-import dev.carom.bench.methods.PlainScene;
 import java.awt.Color;
 import java.awt.Dimension;
 import java.awt.Graphics2D;
@@ -72,7 +71,7 @@ public final class SceneDrawing {
   public static SceneDrawing of(Scene scene) {
     Rectangle2D extent = SceneExtent.of(scene);
     double longest = LONGEST_ARROW * Math.hypot(extent.getWidth(), extent.getHeight());
-    double time = roundDown(longest / PlainScene.fastest(scene));
+    double time = roundDown(longest / fastest(scene));
     return new SceneDrawing(scene, extent, time, MARGIN, Style.Scheme.LIGHT);
   }
 
@@ -337,6 +336,14 @@ public final class SceneDrawing {
     Point2D center = point(map, x, y);
     double r = Math.max(LEAST_RADIUS, radius * map.getScaleX());
     return new Ellipse2D.Double(center.getX() - r, center.getY() - r, 2 * r, 2 * r);
+  }
+
+  private static double fastest(Scene scene) {
+    double fastest = 0;
+    for (int i = 0; i < scene.count(Kind.CIRCLE); i++) {
+      fastest = Math.max(fastest, scene.velocity(Kind.CIRCLE, i).length());
+    }
+    return fastest;
   }
 
   /**
