@@ -129,6 +129,37 @@ class ContactBitsTest {
     return run.world.snapshot();
   }
 
+  /** Lines that move squeeze balls now and then: a world restored at each frame does the same. */
+  @ParameterizedTest
+  @ValueSource(ints = {2, 14, 20, 31, 45})
+  void whatWasSqueezedIsForgotten(int seed) {
+    Random random = new Random(seed);
+    SceneBuilder scene = Scene.builder().gravity(0, 0.05).bounds(0, 0, 120, 120).restitution(0.5);
+    for (int k = 0; k < 3; k++) {
+      double x = 20 + 80 * random.nextDouble();
+      double y = 20 + 80 * random.nextDouble();
+      double angle = 6.3 * random.nextDouble();
+      scene.line(x, y, x + 40 * Math.cos(angle), y + 40 * Math.sin(angle)).restitution(0.5);
+    }
+    for (int i = 0; i < 5; i++) {
+      double y = 15 + 5 * random.nextDouble();
+      double radius = 6 + 4 * random.nextDouble();
+      scene.circle(15 + 22 * i, y, radius, random.nextDouble() - 0.5, 0).restitution(0.5);
+    }
+    World world = new World(scene.build());
+    World restored = new World(world.scene());
+    for (int frame = 0; frame < 300; frame++) {
+      for (int k = 0; k < 3 && frame % 25 == 0; k++) {
+        double vx = 0.3 * (random.nextInt(5) - 2);
+        world.setVelocity(Kind.LINE, k, vx, 0.3 * (random.nextInt(5) - 2));
+      }
+      restored.restore(world.snapshot());
+      world.advanceTo(frame + 1);
+      restored.advanceTo(frame + 1);
+      assertThat(restored.snapshot()).as("after frame %s", frame).isEqualTo(world.snapshot());
+    }
+  }
+
   /** What contact knew of obstacles is forgotten where others are restored. */
   @CollidingOrNot
   void whatWasTouchedBeforeARestoreDoesNotMatter(boolean collide) {

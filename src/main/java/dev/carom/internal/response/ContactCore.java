@@ -328,9 +328,6 @@ public final class ContactCore {
     if (!graph.isValid) {
       settle(now);
     }
-    if (parts.areMoving()) {
-      graph.carry(now);
-    }
     graph.measure(momenta.v, clock.tau);
     findPulls();
     boolean isWhole = now >= clock.due; // after a cut, momenta are not yet those of what is there
@@ -359,6 +356,7 @@ public final class ContactCore {
     while (!attempt(now, h)) {
       h = cut(now, h);
     }
+    squeeze.end();
     finish();
   }
 

@@ -319,8 +319,8 @@ final class ContactGraph {
   /** Of two circles that are listed anew the one with the smaller slot finds the pair. */
   private void collect(int i, int j, double now) {
     if (members.isFrozen(j)) {
-      members.moveTo(j, now);
-      if (isCloser(i, members.x[j], members.y[j], members.radius[j] + margin[i])) {
+      double x = members.xAt(j, now);
+      if (isCloser(i, x, members.yAt(j, now), members.radius[j] + margin[i])) {
         add(i, j);
       }
     } else if (!(isNew[j] && j < i)
@@ -391,12 +391,18 @@ final class ContactGraph {
     p.other[k] = isPart ? members.count : o;
     p.part[k] = isPart ? ~o : Index.NONE;
     p.key[k] = isPart ? parts.key(~o) : Index.NONE;
-    double smaller = isPart ? r : Math.min(r, members.radius[o]);
-    p.standoff[k] = ContactLaw.STANDOFF * smaller;
+    p.standoff[k] = ContactLaw.STANDOFF * radius(k);
     double e = isPart ? parts.restitution[~o] : members.restitution[o];
     p.bounce[k] = members.restitution[i] * e;
     boolean isFlat = isPart && parts.isFlat(~o);
     p.round[k] = isFlat ? 0 : r + (isPart ? parts.radius[~o] : members.radius[o]);
+  }
+
+  /** The radius of pair k, of two circles the smaller one. */
+  double radius(int k) {
+    double r = members.radius[pairs.owner[k]];
+    int j = pairs.other[k];
+    return j < members.count ? Math.min(r, members.radius[j]) : r;
   }
 
   /** Takes over what the last list knew of pair k. */
@@ -423,16 +429,6 @@ final class ContactGraph {
       }
     }
     return Index.NONE;
-  }
-
-  /** Moves the frozen circles of the list, which may be carried, to now. */
-  void carry(double now) {
-    NearPairs p = pairs;
-    for (int k = 0; k < p.size; k++) {
-      if (p.part[k] < 0 && members.isFrozen(p.other[k])) {
-        members.moveTo(p.other[k], now);
-      }
-    }
   }
 
   /**
@@ -465,8 +461,9 @@ final class ContactGraph {
     NearPairs p = pairs;
     int a = p.owner[k];
     int b = p.other[k];
-    double dx = members.x[a] - members.x[b];
-    double dy = members.y[a] - members.y[b];
+    double now = members.since[a];
+    double dx = members.x[a] - members.xAt(b, now);
+    double dy = members.y[a] - members.yAt(b, now);
     double d = Parts.length(dx, dy);
     double inverse = d > 0 ? 1 / d : 0;
     p.nx[k] = dx * inverse;

@@ -122,7 +122,7 @@ final class Members {
     return y[i] + uy[i] * (time - since[i]);
   }
 
-  /** Starts a new flight at a time, of the same velocity. */
+  /** Starts a new flight at a time, of the same velocity, of which the host must be told. */
   void moveTo(int i, double time) {
     if (time != since[i]) {
       x[i] = xAt(i, time);

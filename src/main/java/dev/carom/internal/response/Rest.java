@@ -154,19 +154,20 @@ final class Rest {
     if (vx * vx + vy * vy <= least * least) {
       return false;
     }
-    members.moveTo(j, now);
+    double x = members.xAt(j, now);
+    double y = members.yAt(j, now);
     double r = members.radius[j];
     double hold = ContactLaw.HOLD * ContactLaw.STANDOFF;
     planes.clear();
     near.clear();
-    host.membersNear(j, members.x[j], members.y[j], hold * r, near);
+    host.membersNear(j, x, y, hold * r, near);
     near.sort(0);
     for (int c = 0; c < near.size(); c++) {
       int i = near.get(c);
       double gap = members.gap(i, j, now);
       if (members.isFrozen(i) && gap < hold * Math.min(r, members.radius[i])) {
-        double dx = members.x[j] - members.xAt(i, now);
-        double dy = members.y[j] - members.yAt(i, now);
+        double dx = x - members.xAt(i, now);
+        double dy = y - members.yAt(i, now);
         double d = Math.sqrt(dx * dx + dy * dy);
         planes.add(dx / d, dy / d, 0);
       }
@@ -175,8 +176,8 @@ final class Rest {
     parts.near(members, j, host, hold * r, now, near);
     for (int c = 0; c < near.size(); c++) {
       int part = near.get(c);
-      if (parts.touches(part, r, members.filter[j], members.x[j], members.y[j], 0, 0)
-          && parts.isSolidFrom(part, members.x[j], members.y[j])
+      if (parts.touches(part, r, members.filter[j], x, y, 0, 0)
+          && parts.isSolidFrom(part, x, y)
           && parts.distance - r < hold * r) {
         planes.add(parts.normalX, parts.normalY, 0);
       }

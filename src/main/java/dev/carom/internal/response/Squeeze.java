@@ -31,6 +31,9 @@ final class Squeeze {
   private final boolean[] driven;
   private final int[] driver;
 
+  /** Whether any standoff is wide. */
+  private boolean isWide;
+
   /** The pairs of the problem. */
   private int[] pair = new int[0];
 
@@ -118,9 +121,17 @@ final class Squeeze {
     NearPairs p = graph.pairs;
     int i = p.owner[k];
     int j = p.other[k];
-    double r = j < n ? Math.min(members.radius[i], members.radius[j]) : members.radius[i];
     double spread = SPREAD * (parts.id(i) + (j < n ? parts.id(j) : 0)); // slots change by a save
-    p.standoff[k] = ContactLaw.WIDE * r * (0.5 + spread - Math.floor(spread));
+    p.standoff[k] = ContactLaw.WIDE * graph.radius(k) * (0.5 + spread - Math.floor(spread));
+    isWide = true;
+  }
+
+  /** Ends a tick: no standoff stays wide, since a world that is restored knows of none. */
+  void end() {
+    for (int k = 0; isWide && k < graph.pairs.size; k++) {
+      graph.pairs.standoff[k] = ContactLaw.STANDOFF * graph.radius(k);
+    }
+    isWide = false;
   }
 
   /**
