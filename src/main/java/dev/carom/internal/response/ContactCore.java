@@ -395,7 +395,7 @@ public final class ContactCore {
       return h;
     }
     cuts++;
-    if (cuts <= ContactLaw.CUTS) {
+    if (cuts <= ContactLaw.TRIES) {
       return h / 4;
     }
     jam(now);
@@ -664,13 +664,13 @@ public final class ContactCore {
     flights.part(h);
     flights.pass(h, clock.slow());
     boolean goesOn = driven;
-    for (int round = 0; goesOn && round < ContactLaw.CUTS && squeeze.anyMeets(u, h); round++) {
+    for (int round = 0; goesOn && round < ContactLaw.TRIES && squeeze.anyMeets(u, h); round++) {
       goesOn = squeeze.solve(u, h, clock.pull * h, cuts);
       graph.measureFlights(u, h);
     }
-    boolean safe = flights.secure(h, ContactLaw.PUSHES);
+    boolean safe = flights.secure(h, ContactLaw.TRIES);
     for (int round = 0; safe && !graph.covers(u, now, h); round++) {
-      if (round == ContactLaw.CUTS) {
+      if (round == ContactLaw.TRIES) {
         return false; // speeds beyond the range of doubles leave every list
       }
       graph.list(u, now, h);

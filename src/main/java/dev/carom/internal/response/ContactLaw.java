@@ -3,24 +3,12 @@ package dev.carom.internal.response;
 
 /**
  * The constants of contact. Units are the radius R of a circle, the size g of gravity, the length
- * tau of a tick, and the kick {@code g tau}. Eighteen numbers are the law, and others follow from
- * them. The search for flights and the list of pairs have some of their own.
+ * tau of a tick, and the kick {@code g tau}. Sixteen numbers are the law, that of the solver and of
+ * the search for flights included. The others follow from them.
  */
 final class ContactLaw {
 
   // Ticks.
-
-  /**
-   * A tick is about as long as a fall of so many radii: {@code tau = sqrt(2 FALL R / g)}. With 2^-7
-   * {@code ContactExactTest.aBallRollsOffAPeg} fails.
-   */
-  static final double FALL = 0x1p-9;
-
-  /**
-   * In kicks: slower approaches of what gravity presses together have no bounce. With 1 {@code
-   * ContactExactTest.aColumnPressesWithAllItsWeight} fails.
-   */
-  static final double SLOW = 4;
 
   /**
    * In radii: the distance that contacts keep, more than a solve errs by in one tick. With 2^-7
@@ -29,18 +17,40 @@ final class ContactLaw {
   static final double STANDOFF = 0x1p-10;
 
   /**
+   * A tick is about as long as a fall of so many radii: {@code tau = sqrt(2 FALL R / g)}. With 2^-7
+   * {@code ContactExactTest.aBallRollsOffAPeg} fails.
+   */
+  static final double FALL = 2 * STANDOFF;
+
+  /**
+   * In kicks: slower approaches of what gravity presses together have no bounce. With 1 {@code
+   * ContactExactTest.aColumnPressesWithAllItsWeight} fails.
+   */
+  static final double SLOW = 4;
+
+  /**
    * Contacts within so many standoffs carry. With 2 a heap of 300 never rests, and {@code
    * ContactExactTest.aBallRollsOffAPeg} fails.
    */
   static final double HOLD = 8;
 
   /**
-   * A solve may visit so many contacts, or make a hundredth of that in sweeps. With 400 {@code
-   * ContactExactTest.aColumnPressesWithAllItsWeight} fails.
+   * A solve may make so many sweeps, and as many more as it has fewer contacts: it may visit {@link
+   * #WORK} of these. With 20 {@code ContactExtremesTest.heavyBallsAmongLightOnes} fails.
    */
-  static final int WORK = 4000;
+  static final int SWEEPS = 40;
 
-  static final int SWEEPS = WORK / 100;
+  static final int WORK = SWEEPS * SWEEPS;
+
+  /**
+   * What fails is tried so many times: each time a solve that {@linkplain #LIFT lifts} may take as
+   * long again, flights are pushed apart in one more round, and the tick is cut to a quarter. With
+   * 1 {@code ContactExactTest.theErrorIsOfSecondOrder} fails.
+   */
+  static final int TRIES = 4;
+
+  /** Where there is no clock a solve may make so many sweeps. */
+  static final int MOST_SWEEPS = TRIES * WORK;
 
   /**
    * In kicks: a solve ends when a sweep changes no velocity by more. With 0.1 {@code
@@ -52,13 +62,7 @@ final class ContactLaw {
    * In m (g tau)^2 for each circle: a solve that adds more energy goes on. Without {@code
    * ContactExtremesTest.fullRows} fails.
    */
-  static final double LIFT = 4 * RESIDUAL;
-
-  /**
-   * So many times at most a solve goes on, each time as long again. With 1 {@code
-   * ContactExtremesTest.fullRows} fails.
-   */
-  static final int ROUNDS = 2;
+  static final double LIFT = SLOW * RESIDUAL;
 
   /** In kicks: a change of momentum is an acceleration up to here, and beyond a hit. */
   static final double STEADY = SLOW / 2;
@@ -93,12 +97,6 @@ final class ContactLaw {
    * 2^-10 {@code ContactMoversTest.aPistonPushesTwentyBalls} fails.
    */
   static final double WIDE = 0x1p-5;
-
-  /**
-   * Where no safe flights are found a tick is cut to a quarter, so many times. With 0 {@code
-   * JammedUnderGravityTest.aBallFallsWhenTheMassThatPressedItIsGone} fails.
-   */
-  static final int CUTS = 6;
 
   // Impacts.
 
@@ -152,28 +150,19 @@ final class ContactLaw {
   /** In units of the speed: an approach up to this is rounding, of two components. */
   static final double ROUNDED = 2 * ULPS * 0x1p-52;
 
-  /** In units of the coordinates: what is nearer than eight such steps touches. */
-  static final double TOUCH = 8 * ULPS * 0x1p-52;
+  /** In units of the coordinates: what is nearer than some such steps touches. */
+  static final double TOUCH = HOLD * ULPS * 0x1p-52;
 
   /**
    * In radii: flights may overlap by so much by rounding, which does not add up. With 2^-20 {@code
    * ContactCasesTest.disksOnAFloorThatShakesDoNotOverlap} fails.
    */
-  static final double SLACK = 64 * FLAT;
+  static final double SLACK = HOLD * ULPS * FLAT;
 
   // The search for flights.
 
-  /**
-   * Rounds in which flights push each other apart before they are given up. With 1 {@code
-   * ContactExactTest.theErrorIsOfSecondOrder} fails.
-   */
-  static final int PUSHES = 4;
-
-  /**
-   * Of the overlap with the standoff that flights take back in one tick. With 0 {@code
-   * ContactExactTest.theErrorIsOfSecondOrder} fails.
-   */
-  static final double BACK = 0.3;
+  /** Of the overlap with the standoff that flights take back in one tick. */
+  static final double BACK = 1.0 / TRIES;
 
   /**
    * Squeezed circles fly aside between contacts whose normals have a cosine below this. Without
@@ -181,8 +170,11 @@ final class ContactLaw {
    */
   static final double OPPOSITE = -0.9;
 
-  /** So many times the speed of what moves is their speed aside. */
-  static final double ASIDE = 6;
+  /**
+   * So many times the speed of what moves is their speed aside: that of a circle between two sides
+   * of such normals that close.
+   */
+  static final double ASIDE = Math.sqrt((1 - OPPOSITE) / (1 + OPPOSITE));
 
   // The list of pairs.
 

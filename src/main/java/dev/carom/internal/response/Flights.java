@@ -91,7 +91,7 @@ final class Flights {
       }
     }
     boolean any = true;
-    for (int s = 1; s < ContactLaw.PUSHES && any; s++) {
+    for (int s = 1; s < ContactLaw.TRIES && any; s++) {
       any = partOnce();
     }
   }

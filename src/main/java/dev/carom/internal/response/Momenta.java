@@ -177,7 +177,7 @@ final class Momenta {
     int most = count == 0 ? 0 : Math.max(ContactLaw.SWEEPS, ContactLaw.WORK / count);
     sweeps.load(graph.order, graph.awake, v);
     sweeps.solve(tolerance, most);
-    for (int more = 0; more < ContactLaw.ROUNDS && lifts(kick); more++) {
+    for (int more = 0; more < ContactLaw.TRIES && lifts(kick); more++) {
       sweeps.solve(0, most);
     }
     if (makesEnergy()) {

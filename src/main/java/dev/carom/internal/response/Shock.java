@@ -351,7 +351,7 @@ public final class Shock {
     }
     long visits = sweeps.visits;
     sweeps.load(graph.order, graph.awake, before);
-    sweeps.solve(ContactLaw.ROUNDED / 4, ContactLaw.WORK);
+    sweeps.solve(ContactLaw.ROUNDED / 4, ContactLaw.MOST_SWEEPS);
     sweeps.store(graph.order, after);
     ExactBudget.addRelaxations((int) (sweeps.visits - visits));
     int s = 0;

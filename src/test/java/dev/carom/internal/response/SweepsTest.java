@@ -80,7 +80,7 @@ class SweepsTest {
     }
     int[] order = IntStream.range(0, weights.length).toArray();
     sweeps.load(order, order.length, before);
-    sweeps.solve(ContactLaw.ROUNDED / 4, ContactLaw.WORK);
+    sweeps.solve(ContactLaw.ROUNDED / 4, ContactLaw.MOST_SWEEPS);
     sweeps.store(order, after);
     return sweeps;
   }
