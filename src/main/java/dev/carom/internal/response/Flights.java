@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 package dev.carom.internal.response;
 
+import java.util.Arrays;
+
 /**
  * The flights of a tick: momenta, changed until no near pair can meet within it. Bodies are convex
  * and relative flights straight. So a pair with the unit normal n and some gap does not meet in a
@@ -22,6 +24,9 @@ final class Flights {
   /** The velocities of what drives each circle: at the worst it flies along with that. */
   final double[] drive;
 
+  /** The places of circles in the order, by their turns. */
+  private final long[] turns;
+
   // Pairs that are pushed apart: their target, and the impulse so far.
   private int closeCount;
   private int[] close = new int[0];
@@ -37,6 +42,7 @@ final class Flights {
     this.momenta = momenta;
     u = new double[2 * members.count + 2];
     drive = new double[2 * members.count];
+    turns = new long[members.count];
   }
 
   /** Starts with the momenta; what hits ends where its bounce is at the end of the tick. */
@@ -114,9 +120,14 @@ final class Flights {
     return any;
   }
 
-  /** In order, each takes the flight nearest to its own that obstacles and those before allow. */
+  /**
+   * In turn, each takes the flight nearest to its own that obstacles and those before allow. By
+   * powers of two of the mass the heavy ones come first, so that no light one lifts them.
+   */
   void pass(double h, double slow) {
-    for (int q = 0; q < graph.awake; q++) {
+    sortByMass();
+    for (int k = 0; k < graph.awake; k++) {
+      int q = (int) turns[k];
       int a = 2 * graph.order[q];
       double x = u[a];
       double y = u[a + 1];
@@ -131,6 +142,14 @@ final class Flights {
         }
       }
     }
+  }
+
+  private void sortByMass() {
+    for (int q = 0; q < graph.awake; q++) {
+      long exponent = Math.getExponent(momenta.weight[graph.order[q]]);
+      turns[q] = exponent << Integer.SIZE | q;
+    }
+    Arrays.sort(turns, 0, graph.awake);
   }
 
   /** Collects the bounds of the q-th circle; false if its flight keeps them. */
