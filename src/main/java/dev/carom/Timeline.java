@@ -31,7 +31,7 @@ import dev.carom.internal.util.Check;
 public final class Timeline {
 
   private final World world;
-  final TimelineRecorder recorder;
+  final TimelineRecorder recorder; // tests count its flights
 
   Timeline(World world, TimelineRecorder recorder) {
     this.world = world;
@@ -155,9 +155,11 @@ public final class Timeline {
    * <p>It equals the snapshot that the world would have taken when it stood at that time. If the
    * world was edited there, it holds the edits, and the impacts that they caused at once. At the
    * {@linkplain #end end} of the recording such impacts may still be missing: the next step makes
-   * them. A call takes time in proportion to the circles, lines and pegs that are recorded; where
-   * circles in contact fly, also as much as a world takes to play their last hundred ticks or the
-   * last step, whichever is longer. The length of the recording does not matter.
+   * them.
+   *
+   * <p>A call takes time in proportion to the circles, lines and pegs that are recorded. The length
+   * of the recording does not matter. If circles in contact moved at that time, the call also plays
+   * up to 128 of their ticks again, or the step up to that time if that is longer.
    *
    * <p>To go back more than once, take all snapshots first, or {@link #stop} the recording before
    * the restore: a world that records and is restored begins its recording anew.

@@ -1037,9 +1037,10 @@ public final class World implements Resolver {
    * of a recording is bounded by what happens within the duration; with {@code +infinity} it grows
    * without end. A flight takes 56 bytes, 24 more under gravity, and 24 more where a sensor
    * reported another circle. A change of a circle within a flight counts as one more flight, such
-   * as another mass. A circle in contact takes 100 bytes a tick; one at rest takes nothing. Each
-   * edit takes some 300 more for each circle in contact. Each circle has room for up to four times
-   * the flights that it needs, as long as the recording goes on.
+   * as another mass. A circle in contact takes 100 bytes a tick; one at rest takes nothing. A step
+   * before which anything was edited takes some 300 bytes more for each circle in contact that
+   * moves. Each circle has room for up to four times the flights that it needs, as long as the
+   * recording goes on.
    *
    * @param duration the time to keep, in the unit of {@link #now}, from 0 to {@code +infinity}
    * @return the timeline, which goes on as the world does

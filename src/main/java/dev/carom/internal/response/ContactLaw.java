@@ -43,9 +43,9 @@ final class ContactLaw {
   static final int WORK = SWEEPS * SWEEPS;
 
   /**
-   * What fails is tried so many times: each time a solve that {@linkplain #LIFT lifts} may take as
-   * long again, flights are pushed apart in one more round, and the tick is cut to a quarter. With
-   * 1 {@code ContactExactTest.theErrorIsOfSecondOrder} fails.
+   * What fails is tried so many times: a solve that {@linkplain #LIFT lifts} goes on as long again,
+   * flights that meet are pushed apart once more, a tick without safe flights is cut to a quarter.
+   * With 1 {@code ContactExactTest.theErrorIsOfSecondOrder} fails.
    */
   static final int TRIES = 4;
 
