@@ -86,7 +86,7 @@ final class ContactLaw {
 
   /**
    * In kicks: a frozen circle wakes if it would move faster. With 0.001 {@code
-   * ContactRestTest.aLandingBallWakesOnlyTheHeapItLandsOn} fails.
+   * ContactRestTest.aLandingBallWakesOnlyTheHeapItLandsOn} failed; now it does not.
    */
   static final double WAKE = 0.1;
 
