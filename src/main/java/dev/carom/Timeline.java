@@ -33,9 +33,12 @@ public final class Timeline {
   private final World world;
   final TimelineRecorder recorder; // tests count its flights
 
-  Timeline(World world, TimelineRecorder recorder) {
+  private final RecordedEdits edits;
+
+  Timeline(World world, TimelineRecorder recorder, RecordedEdits edits) {
     this.world = world;
     this.recorder = recorder;
+    this.edits = edits;
   }
 
   /**
@@ -177,7 +180,7 @@ public final class Timeline {
     }
     World again = new World(world.scene());
     again.restore(past);
-    again.advanceTo(goal, Long.MAX_VALUE);
+    edits.play(again, goal);
     return again.snapshot();
   }
 

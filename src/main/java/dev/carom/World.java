@@ -89,6 +89,9 @@ public final class World implements Resolver {
   /** Null unless flights are recorded. */
   private TimelineRecorder recorder;
 
+  /** Its edits; null with it. */
+  private RecordedEdits edits;
+
   /** Null unless errors are estimated. */
   private Uncertainty uncertainty;
 
@@ -634,13 +637,16 @@ public final class World implements Resolver {
    */
   public void setGravity(double gx, double gy) {
     edit().setGravity(gx, gy, now);
+    if (edits != null) {
+      edits.add(world -> world.setGravity(gx, gy));
+    }
   }
 
   /** Returns the editor; questions forget what they know. */
   private Editor edit() {
     questions.changed();
     if (recorder != null) {
-      recorder.noteEdit();
+      recorder.noteEdit(engine.unfinished);
     }
     return editor;
   }
@@ -658,6 +664,9 @@ public final class World implements Resolver {
    */
   public void setVelocity(int id, double vx, double vy) {
     edit().setVelocity(ids.circle(id), vx, vy, now);
+    if (edits != null) {
+      edits.add(world -> world.setVelocity(id, vx, vy));
+    }
   }
 
   /**
@@ -676,6 +685,9 @@ public final class World implements Resolver {
    */
   public void setPosition(int id, double x, double y) {
     edit().setPosition(ids.circle(id), x, y, now);
+    if (edits != null) {
+      edits.add(world -> world.setPosition(id, x, y));
+    }
   }
 
   /**
@@ -721,6 +733,9 @@ public final class World implements Resolver {
       String expected = isOutline ? "an Outline" : kind == Kind.LINE ? "a Line" : "a Circle";
       throw Check.refused("shape of " + kind.nameOf(id), shape, expected);
     }
+    if (edits != null) {
+      edits.add(world -> world.setShape(kind, id, shape));
+    }
   }
 
   /**
@@ -748,6 +763,9 @@ public final class World implements Resolver {
       setVelocity(id, vx, vy);
     } else {
       edit().setObstacleVelocity(code, vx, vy, now);
+      if (edits != null) {
+        edits.add(world -> world.setVelocity(kind, id, vx, vy));
+      }
     }
   }
 
@@ -777,6 +795,9 @@ public final class World implements Resolver {
   public void moveTo(Kind kind, int id, double x, double y, double arrival) {
     int code = driven(kind, id);
     edit().moveTo(code, x, y, arrival, now);
+    if (edits != null) {
+      edits.add(world -> world.moveTo(kind, id, x, y, arrival));
+    }
   }
 
   /** Returns the code of an obstacle that can be sent somewhere. */
@@ -826,6 +847,9 @@ public final class World implements Resolver {
   public void turn(Kind kind, int id, double pivotX, double pivotY, double angle, double arrival) {
     int code = driven(kind, id);
     edit().turn(code, pivotX, pivotY, angle, arrival, now);
+    if (edits != null) {
+      edits.add(world -> world.turn(kind, id, pivotX, pivotY, angle, arrival));
+    }
   }
 
   /**
@@ -862,6 +886,9 @@ public final class World implements Resolver {
   public void setTraits(Kind kind, int id, Traits traits) {
     int code = code(kind, id);
     edit().setTraits(code, Check.notNull("traits", traits).values(), now);
+    if (edits != null) {
+      edits.add(world -> world.setTraits(kind, id, traits));
+    }
   }
 
   /**
@@ -882,7 +909,11 @@ public final class World implements Resolver {
    */
   public int addCircle(double x, double y, double radius, double vx, double vy, Traits traits) {
     Check.notNull("traits", traits);
-    return edit().addCircle(x, y, radius, vx, vy, traits.values(), now);
+    int id = edit().addCircle(x, y, radius, vx, vy, traits.values(), now);
+    if (edits != null) {
+      edits.add(world -> world.addCircle(x, y, radius, vx, vy, traits));
+    }
+    return id;
   }
 
   /**
@@ -901,7 +932,11 @@ public final class World implements Resolver {
    */
   public int addLine(double ax, double ay, double bx, double by, Traits traits) {
     Check.notNull("traits", traits);
-    return edit().add(KindNumber.LINE, ax, ay, bx, by, traits.values(), now);
+    int id = edit().add(KindNumber.LINE, ax, ay, bx, by, traits.values(), now);
+    if (edits != null) {
+      edits.add(world -> world.addLine(ax, ay, bx, by, traits));
+    }
+    return id;
   }
 
   /**
@@ -920,7 +955,11 @@ public final class World implements Resolver {
   public int addOutline(Outline outline, Traits traits) {
     Check.notNull("outline", outline);
     Check.notNull("traits", traits);
-    return edit().add(outline.values(), traits.values(), now);
+    int id = edit().add(outline.values(), traits.values(), now);
+    if (edits != null) {
+      edits.add(world -> world.addOutline(outline, traits));
+    }
+    return id;
   }
 
   /**
@@ -938,7 +977,11 @@ public final class World implements Resolver {
    */
   public int addPeg(double x, double y, double radius, Traits traits) {
     Check.notNull("traits", traits);
-    return edit().add(KindNumber.PEG, x, y, radius, 0, traits.values(), now);
+    int id = edit().add(KindNumber.PEG, x, y, radius, 0, traits.values(), now);
+    if (edits != null) {
+      edits.add(world -> world.addPeg(x, y, radius, traits));
+    }
+    return id;
   }
 
   /**
@@ -957,6 +1000,9 @@ public final class World implements Resolver {
     edit().remove(code, now);
     if (recorder != null && kind == Kind.CIRCLE) {
       recorder.remove(id, now);
+    }
+    if (edits != null) {
+      edits.add(world -> world.remove(kind, id));
     }
   }
 
@@ -1019,6 +1065,7 @@ public final class World implements Resolver {
     engine.restore(state.flights(), now, state.tailOfEdit());
     if (recorder != null) {
       recorder.begin(now);
+      edits.clear();
       engine.record(recorder);
     }
   }
@@ -1037,10 +1084,9 @@ public final class World implements Resolver {
    * of a recording is bounded by what happens within the duration; with {@code +infinity} it grows
    * without end. A flight takes 56 bytes, 24 more under gravity, and 24 more where a sensor
    * reported another circle. A change of a circle within a flight counts as one more flight, such
-   * as another mass. A circle in contact takes 100 bytes a tick; one at rest takes nothing. A step
-   * before which anything was edited takes some 300 bytes more for each circle in contact that
-   * moves. Each circle has room for up to four times the flights that it needs, as long as the
-   * recording goes on.
+   * as another mass. A circle in contact takes 100 bytes a tick; one at rest takes nothing. An edit
+   * takes up to 500 bytes. Each circle has room for up to four times the flights that it needs, as
+   * long as the recording goes on.
    *
    * @param duration the time to keep, in the unit of {@link #now}, from 0 to {@code +infinity}
    * @return the timeline, which goes on as the world does
@@ -1060,9 +1106,10 @@ public final class World implements Resolver {
             editor.limits,
             engine.gravity,
             this::state);
+    edits = new RecordedEdits(recorder);
     recorder.begin(now);
     engine.record(recorder);
-    return new Timeline(this, recorder);
+    return new Timeline(this, recorder, edits);
   }
 
   /** Stops a recording, if it goes on. */
@@ -1070,6 +1117,7 @@ public final class World implements Resolver {
     if (recorder != null && recorder == recording) {
       recorder.stop();
       recorder = null;
+      edits = null;
       engine.record(null);
     }
   }

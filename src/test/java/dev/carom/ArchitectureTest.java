@@ -45,7 +45,7 @@ class ArchitectureTest {
 
   private static final String WORLD =
       " Scene SceneBuilder SceneFormatException Response Traits Warning World WorldQueries"
-          + " UnfinishedException Snapshot Timeline Uncertainty";
+          + " UnfinishedException Snapshot Timeline RecordedEdits Uncertainty";
 
   private static final Class<?> REFUSAL = IllegalArgumentException.class;
 

@@ -12,7 +12,10 @@ public final class FlightHistory extends History {
   /** The rows, by their places. */
   public final FlightTable rows = FlightTable.past();
 
-  /** From when on each row holds; null as long as each holds from the start of its flight. */
+  /** From when on the newest row holds: often another one replaces it, which starts then. */
+  private double newest;
+
+  /** From when on each row holds; null as long as all others hold from the start of a flight. */
   private double[] times;
 
   /** The properties that the circle has had since its last row. */
@@ -29,6 +32,9 @@ public final class FlightHistory extends History {
 
   @Override
   double time(int place) {
+    if (place == newest()) {
+      return newest;
+    }
     return times == null ? rows.start(place) : times[place];
   }
 
@@ -49,11 +55,14 @@ public final class FlightHistory extends History {
    * @param horizon what ended by this time may be dropped
    */
   void add(MovingCircle m, double time, CircleProperties its, double horizon) {
+    boolean isNext = !isEmpty() && newest < time;
     int place = place(time, horizon);
-    if (times == null && time != m.t) {
+    if (isNext && times == null && newest != rows.start(place - 1)) {
       times = new double[room()];
       Arrays.setAll(times, rows::start);
+      times[place - 1] = newest;
     }
+    newest = time;
     if (times != null) {
       times[place] = time;
     }

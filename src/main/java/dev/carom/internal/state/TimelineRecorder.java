@@ -68,8 +68,11 @@ public final class TimelineRecorder {
 
   private long mostFlights;
 
-  /** Whether the world was edited since the last step. */
+  /** Whether the world was edited since the last step, in a way that asks for a stand. */
   private boolean isEdited;
+
+  /** Whether the last step ended where it began. */
+  private boolean isRepeated;
 
   private double begin;
   private double end;
@@ -225,12 +228,15 @@ public final class TimelineRecorder {
 
   // Stands.
 
-  /** Notes that the world is edited. */
-  public void noteEdit() {
-    isEdited = true;
+  /**
+   * Notes that the world is edited. That asks for a stand where nothing can be played through the
+   * edit: at the time of a stand, while all rest, and amid the events of a time.
+   */
+  public void noteEdit(boolean isUnfinished) {
+    isEdited |= isUnfinished || isRepeated || stands.last() || stands.since() == end;
   }
 
-  /** Forgets the edits since the last step; whether there were any. */
+  /** Forgets the edits since the last step; whether any asked for a stand. */
   public boolean takeEdits() {
     boolean any = isEdited;
     isEdited = false;
@@ -271,13 +277,13 @@ public final class TimelineRecorder {
     mostFlights = (long) FLIGHTS * flying;
   }
 
-  /** The latest time up to t of which everything is recorded; the world was not edited since. */
+  /** The latest time up to t of which everything is recorded. */
   public double lastStand(double t) {
     return t == end || stands.at(t) ? t : stands.time(stands.find(t));
   }
 
   /** The time up to which everything that ended may be dropped. */
-  private double horizon() {
+  public double horizon() {
     double start = start();
     return stands.at(start) ? start : stands.time(stands.find(start));
   }
@@ -292,6 +298,7 @@ public final class TimelineRecorder {
     if (!settings.last().areThoseOf(limits, obstacles, gravity)) { // edits have changed them
       settings.set(end, Settings.of(limits, obstacles, gravity), horizon());
     }
+    isRepeated = end == now;
     end = now;
     tracks.forget(horizon());
     obstacleHistory.forget(horizon());
