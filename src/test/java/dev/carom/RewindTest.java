@@ -174,6 +174,32 @@ class RewindTest {
         .forEach((t, then) -> assertThat(past.snapshot(t)).as("at %s", t).isEqualTo(then));
   }
 
+  /** A flight in contact begins without the tail of the impact that brought it about. */
+  @Test
+  void atImpactsThatLeadIntoContact() {
+    for (int seed = 0; seed < 20; seed++) {
+      World world = new World(fourBalls(new Random(seed)));
+      Timeline past = world.record(MOST);
+      TreeMap<Double, Snapshot> expected = new TreeMap<>();
+      for (int k = 0; world.advanceToImpact(600); k++) {
+        if (k % 2 == 0 && !world.advanceTo(600, 1)) {
+          world.advanceTo(world.now());
+        }
+        expected.put(world.now(), world.snapshot());
+      }
+      expected.forEach((t, then) -> assertThat(past.snapshot(t)).as("at %s", t).isEqualTo(then));
+    }
+  }
+
+  private static Scene fourBalls(Random random) {
+    SceneBuilder scene = Scene.builder().gravity(0, 0.05).bounds(0, 0, 200, 400).restitution(0.7);
+    for (int i = 0; i < 4; i++) {
+      scene.circle(30 + 45 * i + random.nextInt(9), 40, 10, 0.3 * random.nextInt(5), -0.2);
+      scene.restitution(0.6);
+    }
+    return scene.build();
+  }
+
   // Changes within flights.
 
   /** Snapshots before and after each change, then one more change of the same kind. */

@@ -364,6 +364,8 @@ public abstract class Engine {
   public final void standAfter(double now) {
     if (!recorder.isAtRest() && (recorder.isLong() || !anyTicks())) {
       stand(now);
+    } else if (recorder.isStand(now)) { // a flight in contact does not keep the tail
+      recorder.noteTail(now, lastTail(now));
     }
   }
 
@@ -391,6 +393,7 @@ public abstract class Engine {
       }
     }
     recorder.stand(now, flying);
+    recorder.noteTail(now, lastTail(now));
   }
 
   /** The tail of the last event of circles that collide if that was now; else 0. */
