@@ -58,7 +58,7 @@ class ContactRestTest {
       scene.circle(x, 40 + 23 * (i / 20) + random.nextDouble(), 10, 0, 0).restitution(e);
     }
     ContactRun run = new ContactRun(new World(scene.build()));
-    while (run.world.now() < 4_000 && run.resting() < 80) {
+    while (run.world.now() < 1_000 && run.resting() < 80) {
       run.play(run.world.now() + 1);
     }
     assertThat(run.resting()).isEqualTo(80);

@@ -20,6 +20,9 @@ class InelasticTest {
   /** Impacts that a circle may make in a run, on average. */
   private static final int IMPACTS = 3_000;
 
+  /** The same in a gas that cools; measured, 584. */
+  private static final int COOLING = 1_000;
+
   /** Budgets that a frame may take: measured, each takes one. */
   private static final int CALLS = 1;
 
@@ -45,26 +48,26 @@ class InelasticTest {
   }
 
   @ParameterizedTest
-  @ValueSource(doubles = {0, 0.5})
+  @ValueSource(doubles = {0, 0.3})
   void aGasThatCoolsGoesOn(double restitution) {
     Random random = new Random(1);
-    SceneBuilder builder = Scene.builder().bounds(0, 0, 28, 28);
-    for (int i = 0; i < 49; i++) {
-      double x = 2 + 4 * (i % 7) + 0.8 * random.nextDouble();
-      int row = i / 7;
-      double y = 2 + 4 * row + 0.8 * random.nextDouble();
+    SceneBuilder builder = Scene.builder().bounds(0, 0, 24, 24);
+    for (int i = 0; i < 100; i++) {
+      double x = 1.01 + 2.4 * (i % 10) + 0.38 * random.nextDouble();
+      int row = i / 10;
+      double y = 1.01 + 2.4 * row + 0.38 * random.nextDouble();
       builder
           .circle(x, y, 1, random.nextGaussian(), random.nextGaussian())
           .restitution(restitution);
     }
     World world = new World(builder.build());
     double energy = Energy.of(world);
-    End end = play(world, 60);
-    assertThat(end.impacts()).isBetween(200, 49 * IMPACTS);
+    End end = play(world, 100);
+    assertThat(end.impacts()).isBetween(200, 100 * COOLING);
     assertThat(Energy.of(world)).isLessThan(energy);
-    for (int i = 0; i < 49; i++) {
-      assertThat(world.x(i)).isBetween(1 - 1e-9, 27 + 1e-9);
-      assertThat(world.y(i)).isBetween(1 - 1e-9, 27 + 1e-9);
+    for (int i = 0; i < 100; i++) {
+      assertThat(world.x(i)).isBetween(1 - 1e-9, 23 + 1e-9);
+      assertThat(world.y(i)).isBetween(1 - 1e-9, 23 + 1e-9);
     }
   }
 

@@ -43,9 +43,9 @@ final class ContactLaw {
   static final int WORK = SWEEPS * SWEEPS;
 
   /**
-   * What fails is tried so many times: a solve that {@linkplain #LIFT lifts} goes on as long again,
-   * flights that meet are pushed apart once more, a tick without safe flights is cut to a quarter.
-   * With 1 {@code ContactExactTest.theErrorIsOfSecondOrder} fails.
+   * What fails is tried so many times: flights that meet are pushed apart once more, a tick without
+   * safe flights is cut to a quarter. With 1 {@code ContactExactTest.theErrorIsOfSecondOrder}
+   * fails.
    */
   static final int TRIES = 4;
 
@@ -58,18 +58,13 @@ final class ContactLaw {
    */
   static final double RESIDUAL = 1e-3;
 
-  /**
-   * In m (g tau)^2 for each circle: a solve that adds more energy goes on. {@code
-   * ContactExtremesTest.fullRows} failed without, but does not since heavy circles choose first.
-   */
-  static final double LIFT = SLOW * RESIDUAL;
-
   /** In kicks: a change of momentum is an acceleration up to here, and beyond a hit. */
   static final double STEADY = SLOW / 2;
 
   /**
-   * The first flight of a newcomer is no faster than this multiple of its speed, and slow. With 50
-   * {@code ContactCasesTest.wholeCoordinates} failed; now it does not.
+   * The first flight of a newcomer is no faster than this multiple of its speed, and slow. Without
+   * a limit {@code ContactCasesTest.ballsFillAFloorExactly} fails, with 1 {@code
+   * ContactExtremesTest.fullRows}.
    */
   static final double NEWCOMER = 1.5;
 
@@ -85,8 +80,8 @@ final class ContactLaw {
   static final double CALM_DISTANCE = STANDOFF / 4;
 
   /**
-   * In kicks: a frozen circle wakes if it would move faster. With 0.001 {@code
-   * ContactRestTest.aLandingBallWakesOnlyTheHeapItLandsOn} failed; now it does not.
+   * In kicks: a frozen circle wakes if it would move faster. With 0.001 heaps rest late, and {@code
+   * ContactRestTest.aLandingBallWakesOnlyTheHeapItLandsOn} fails.
    */
   static final double WAKE = 0.1;
 
@@ -114,7 +109,8 @@ final class ContactLaw {
 
   /**
    * In radii: the width of a place where impacts take motion away, and of a contact of circles.
-   * With 2^-40 {@code HeapTest.aBallWithoutBounceComesToAGapOfItsDiameter} fails.
+   * With 2^-40 a gas that cools makes ten times the impacts, and {@code
+   * InelasticTest.aGasThatCoolsGoesOn} fails.
    */
   static final double PLACE = 0x1p-16;
 
@@ -181,7 +177,7 @@ final class ContactLaw {
   /**
    * In radii: the margin within which pairs are listed, beside the ways of a tick. The widest
    * standoff is within it. With a wider one the list is longer, with a narrower one it is made more
-   * often; with 2^-9 {@code ContactRestTest.whatLosesItsSupportFalls} fails.
+   * often; with 2^-9 {@code ContactTurningTest.aWedgeThatClosesPushesABallOut} fails.
    */
   static final double MARGIN = 2 * WIDE;
 

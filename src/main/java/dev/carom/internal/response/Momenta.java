@@ -177,9 +177,6 @@ final class Momenta {
     int most = count == 0 ? 0 : Math.max(ContactLaw.SWEEPS, ContactLaw.WORK / count);
     sweeps.load(graph.order, graph.awake, v);
     sweeps.solve(tolerance, most);
-    for (int more = 0; more < ContactLaw.TRIES && lifts(kick); more++) {
-      sweeps.solve(0, most);
-    }
     if (makesEnergy()) {
       sweeps.load(graph.order, graph.awake, v);
       sweeps.solvePlainly(tolerance, most);
@@ -189,24 +186,10 @@ final class Momenta {
   }
 
   /**
-   * Whether what is left of a solve adds energy to a group, as between the sides of a steep wedge.
-   * From tick to tick that changes by half of {@code sum l (q + q_after)}, where q does not have
-   * the kick of gravity.
+   * Finds the work of the impulses on each group of contacts that bear, twice: {@code sum l (q +
+   * q_after)}.
    */
-  private boolean lifts(double kick) {
-    findWork(false);
-    for (int k = 0; k < graph.awake; k++) {
-      work[groups.of(k)] -= ContactLaw.LIFT * kick * kick / weight[graph.order[k]];
-    }
-    boolean any = false;
-    for (int k = 0; k < graph.awake; k++) {
-      any |= work[k] > 0;
-    }
-    return any;
-  }
-
-  /** Finds the work of the impulses on each group of contacts that bear, twice. */
-  private void findWork(boolean withKick) {
+  private void findWork() {
     groups.clear(graph.awake);
     Arrays.fill(work, 0, graph.awake, 0);
     for (int c = 0; c < count; c++) {
@@ -218,8 +201,8 @@ final class Momenta {
       double l = sweeps.impulse(c);
       if (l > 0) {
         int k = pair[c];
-        double q = withKick || hit[c] ? before[c] : before[c] - relativeKick(k);
-        work[groups.of(sweeps.first(c))] += l * (q + sweeps.opening(c) - graph.pairs.drift[k]);
+        work[groups.of(sweeps.first(c))] +=
+            l * (before[c] + sweeps.opening(c) - graph.pairs.drift[k]);
       }
     }
   }
@@ -227,7 +210,7 @@ final class Momenta {
   /** Finds groups whose impulses do work; they start anew, with impulses and targets of 0. */
   private boolean makesEnergy() {
     NearPairs p = graph.pairs;
-    findWork(true);
+    findWork();
     boolean any = false;
     for (int c = 0; c < count; c++) {
       if (work[groups.of(sweeps.first(c))] > 0) {
