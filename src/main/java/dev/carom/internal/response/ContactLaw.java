@@ -36,7 +36,7 @@ final class ContactLaw {
 
   /**
    * A solve may make so many sweeps, and as many more as it has fewer contacts: it may visit {@link
-   * #WORK} of these. With 20 {@code ContactExtremesTest.heavyBallsAmongLightOnes} fails.
+   * #WORK} of these. With 8 {@code ContactExactTest.aColumnPressesWithAllItsWeight} fails.
    */
   static final int SWEEPS = 40;
 
@@ -89,7 +89,7 @@ final class ContactLaw {
 
   /**
    * In radii: the standoff of circles that a moving obstacle presses against another one. With
-   * 2^-10 {@code ContactMoversTest.aPistonPushesTwentyBalls} fails.
+   * 2^-10 {@code ContactMoversTest.aPistonBucklesARow} fails.
    */
   static final double WIDE = 0x1p-5;
 
