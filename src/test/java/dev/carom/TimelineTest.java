@@ -315,7 +315,7 @@ class TimelineTest {
     for (int i = 0; i < 100; i++) {
       flights += timeline[0].recorder.track(i, 1000).rows.capacity();
     }
-    long rest = 100 * 1000 + (areEdited ? 1000 * 500 : 0);
+    int rest = 100 * 1000 + (areEdited ? 1000 * 500 : 0);
     long with = usedMemory();
     timeline[0] = null;
     assertThat(with - usedMemory()).isBetween(95 * flights, 100 * flights + rest);
