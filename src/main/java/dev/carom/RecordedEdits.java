@@ -21,8 +21,11 @@ final class RecordedEdits {
     this.recorder = recorder;
   }
 
-  /** Adds an edit that was made now, and drops those before the first stand. */
+  /** Adds an edit that was made now, unless a stand follows; drops those before the first stand. */
   void add(Consumer<World> call) {
+    if (recorder.isStandDue()) {
+      return;
+    }
     double horizon = recorder.horizon();
     while (!edits.isEmpty() && edits.getFirst().time() <= horizon) {
       edits.removeFirst();

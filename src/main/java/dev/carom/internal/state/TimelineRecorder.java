@@ -236,6 +236,11 @@ public final class TimelineRecorder {
     isEdited |= isUnfinished || isRepeated || stands.last() || stands.since() == end;
   }
 
+  /** Whether an edit since the last step asks for a stand. */
+  public boolean isStandDue() {
+    return isEdited;
+  }
+
   /** Forgets the edits since the last step; whether any asked for a stand. */
   public boolean takeEdits() {
     boolean any = isEdited;
