@@ -106,11 +106,15 @@ public final class Marks {
     return of(method).color;
   }
 
-  /** Draws a dot. */
+  /** Draws a dot, with a rim that sets it apart from one below it. */
   void draw(Graphics2D g, String method, double x, double y) {
     Mark mark = of(method);
+    Shape dot = AffineTransform.getTranslateInstance(x, y).createTransformedShape(mark.shape);
+    g.setColor(Style.FLOOR);
+    g.setStroke(Style.line(Style.FIRM));
+    g.draw(dot);
     g.setColor(mark.color);
-    g.fill(AffineTransform.getTranslateInstance(x, y).createTransformedShape(mark.shape));
+    g.fill(dot);
   }
 
   /** Draws the sign of a failure: a ring with a cross in it. */
