@@ -22,7 +22,7 @@ import dev.carom.internal.util.Check;
  * that moment, they are those after the edits, and after the impacts that the edits caused at once.
  * Each change of a line or a peg is recorded, too.
  *
- * <p>Its size follows the impacts and edits of the time that is kept, not the number of steps: see
+ * <p>Its size follows the impacts, edits and contacts of the time that is kept, not the steps: see
  * {@link World#record World.record}.
  *
  * <p>A world records its steps and its edits. When a snapshot is restored into it, the recording

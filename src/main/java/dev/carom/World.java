@@ -38,13 +38,13 @@ import java.util.Optional;
  *
  * <ol>
  *   <li><b>No impact is lost.</b> A step resolves all impacts in it, each at its own moment, at any
- *       speed. Positions are never corrected. Without gravity there is no threshold, and nothing
- *       jitters. With gravity, very low hops end, and heaps come to rest.
+ *       speed. Positions are never corrected. Without gravity there is no threshold but at things that turn,
+ *       and nothing jitters. With gravity, very low hops end, and heaps come to rest.
  *   <li><b>Steps do not matter.</b> However a run to the same time is cut into steps, it gives the
  *       same bits. The same run gives the same bits on every Java virtual machine.
  *   <li><b>Every call ends.</b> A step throws {@link UnfinishedException} if its budget of work is
  *       spent, and the next one goes on. A circle that would bounce at one place without end stops
- *       bouncing there, and the log says {@link Outcome#JAMMED}. Some rare scenes still do not get
+ *       bouncing there, and the log says so. Some rare scenes still do not get
  *       on: <a href="doc-files/rules.html#unfinished">what to do</a>.
  * </ol>
  *
@@ -169,7 +169,7 @@ public final class World implements Resolver {
    * Advances the world to a given time, exactly.
    *
    * <p>All impacts until then are resolved, and {@link #impacts} lists them. The budget of work is
-   * 2,000,000 impacts and 1,000 more for each circle: few scenes ever spend it in a call.
+   * 2,000,000 events and 1,000 more for each circle: few scenes ever spend it in a call.
    *
    * @param t the time, finite and at least {@link #now()}
    * @throws UnfinishedException if the budget is spent before. Nothing is dropped: the world stands
@@ -434,7 +434,7 @@ public final class World implements Resolver {
 
   /**
    * Lists what a circle is in contact with under gravity: what holds, carries or presses it, also
-   * while it rests. So a program can ask whether something stands on the ground:
+   * while it slides or rests. So a program can ask whether something stands on the ground:
    *
    * <pre>{@code
    * Scene scene = Scene.builder().gravity(0, -10).bounds(0, 0, 9, 9).circle(4, 1, 1, 0, 0).build();
@@ -445,7 +445,7 @@ public final class World implements Resolver {
    *
    * @param circle the id of the circle
    * @return the things, by kind and id, sensors never; an immutable list, empty while the circle
-   *     flies or bounces, and without gravity
+   *     flies or bounces, and without gravity but for what turns
    * @throws IndexOutOfBoundsException if there is no such circle
    */
   public List<Contact> contacts(int circle) {
@@ -869,8 +869,8 @@ public final class World implements Resolver {
    *       only under gravity: a circle of infinite mass does not fall.
    *   <li>With another response or filter a circle begins a new flight. If a line or a peg gets
    *       another response or filter, or becomes one-way, every circle whose flight meets it does
-   *       so. If the walls get another filter, all circles that can meet them now or could before,
-   *       but not both, do so.
+   *       so. If the walls get another filter, all circles do so that only one of the two lets meet
+   *       them.
    *   <li>Two things that overlap and now meet bounce if they approach each other, and are
    *       otherwise left alone. A sensor that a circle touches or overlaps when its flight begins
    *       is not reported: see {@link Response#SENSOR}.
@@ -1085,8 +1085,8 @@ public final class World implements Resolver {
    * without end. A flight takes 56 bytes, 24 more under gravity, and 24 more where a sensor
    * reported another circle. A change of a circle within a flight counts as one more flight, such
    * as another mass. A circle in contact takes 100 bytes a tick; one at rest takes nothing. An edit
-   * takes up to 500 bytes. Each circle has room for up to four times the flights that it needs, as
-   * long as the recording goes on.
+   * takes up to 500 bytes. As long as the recording goes on, each circle takes up to four times what
+   * its flights need.
    *
    * @param duration the time to keep, in the unit of {@link #now}, from 0 to {@code +infinity}
    * @return the timeline, which goes on as the world does
