@@ -89,11 +89,11 @@ final class FirstScreen {
         .min(Comparator.comparingDouble(FirstScreen::time))
         .map(
             s ->
-                "the nearest that is as accurate (%s%s) takes %s times as long"
+                "the nearest that is as accurate (%s%s) takes %s"
                     .formatted(
                         s.name(),
                         Glossary.isControl(s.method()) ? ", written for comparison" : "",
-                        times(s, carom)));
+                        s.isLevelWith(carom) ? "as long" : times(s, carom) + " times as long"));
   }
 
   private Optional<String> engine(Standing carom) {

@@ -122,12 +122,16 @@ public final class ScaleFigures {
   }
 
   private static String growth(Model model, Curve curve, Growth fit) {
+    int most = curve.middle().length - 1;
+    while (Double.isNaN(curve.middle()[most])) {
+      most--;
+    }
     return "with %s %s, up to %s for %s"
         .formatted(
             model.words(),
             Curves.power(fit),
-            ReportNumbers.time(last(curve.middle())),
-            ReportNumbers.count(last(curve.x())));
+            ReportNumbers.time(curve.middle()[most]),
+            ReportNumbers.count(curve.x()[most]));
   }
 
   private static double last(double[] numbers) {
