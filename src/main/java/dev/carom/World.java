@@ -38,14 +38,14 @@ import java.util.Optional;
  *
  * <ol>
  *   <li><b>No impact is lost.</b> A step resolves all impacts in it, each at its own moment, at any
- *       speed. Positions are never corrected. Without gravity there is no threshold but at things that turn,
- *       and nothing jitters. With gravity, very low hops end, and heaps come to rest.
+ *       speed. Positions are never corrected. Without gravity there is no threshold but at things
+ *       that turn, and nothing jitters. With gravity, very low hops end, and heaps come to rest.
  *   <li><b>Steps do not matter.</b> However a run to the same time is cut into steps, it gives the
  *       same bits. The same run gives the same bits on every Java virtual machine.
  *   <li><b>Every call ends.</b> A step throws {@link UnfinishedException} if its budget of work is
  *       spent, and the next one goes on. A circle that would bounce at one place without end stops
- *       bouncing there, and the log says so. Some rare scenes still do not get
- *       on: <a href="doc-files/rules.html#unfinished">what to do</a>.
+ *       bouncing there, and the log says so. Some rare scenes still do not get on: <a
+ *       href="doc-files/rules.html#unfinished">what to do</a>.
  * </ol>
  *
  * <p>A step goes on for a time span ({@link #step step}), to a time ({@link #advanceTo(double)
@@ -1085,8 +1085,8 @@ public final class World implements Resolver {
    * without end. A flight takes 56 bytes, 24 more under gravity, and 24 more where a sensor
    * reported another circle. A change of a circle within a flight counts as one more flight, such
    * as another mass. A circle in contact takes 100 bytes a tick; one at rest takes nothing. An edit
-   * takes up to 500 bytes. As long as the recording goes on, each circle takes up to four times what
-   * its flights need.
+   * takes up to 500 bytes. As long as the recording goes on, each circle takes up to four times
+   * what its flights need.
    *
    * @param duration the time to keep, in the unit of {@link #now}, from 0 to {@code +infinity}
    * @return the timeline, which goes on as the world does
