@@ -46,11 +46,15 @@ class OutlineSeparationTest {
         Circle circle = new Circle(at.x(), at.y(), r);
         Outline outline = Outline.polyline(placed);
         Vec2 out = circle.separation(outline);
-        assertThat(out.x()).as("position %s", position).isCloseTo(way.x(), within(1e-13));
-        assertThat(out.y()).as("position %s", position).isCloseTo(way.y(), within(1e-13));
+        assertIs(out, way.x(), way.y());
         assertThat(new Circle(at.x() + out.x(), at.y() + out.y(), r).overlaps(outline)).isFalse();
       }
     }
+  }
+
+  private static void assertIs(Vec2 out, double x, double y) {
+    assertThat(out.x()).isCloseTo(x, within(1e-13));
+    assertThat(out.y()).isCloseTo(y, within(1e-13));
   }
 
   /** One of the eight positions that a square has on another one. */
@@ -77,9 +81,9 @@ class OutlineSeparationTest {
   @Test
   void leadsOutOfAPolygon() {
     Outline box = Outline.rectangle(0, 0, 10, 20);
-    assertThat(new Circle(6, 9, 1).separation(box)).isEqualTo(new Vec2(5, 0));
-    assertThat(new Circle(5, 4, 1).separation(box)).isEqualTo(new Vec2(0, -5));
-    assertThat(new Circle(5, 21, 2).separation(box)).isEqualTo(new Vec2(0, 1));
+    assertIs(new Circle(6, 9, 1).separation(box), 5, 0);
+    assertIs(new Circle(5, 4, 1).separation(box), 0, -5);
+    assertIs(new Circle(5, 21, 2).separation(box), 0, 1);
   }
 
   /** At any size it goes no further than rounding asks for. */
