@@ -40,6 +40,22 @@ class ContactExtremesTest {
     play(scene, 600);
   }
 
+  /** The balls are spread over a higher and narrower place than they will be. */
+  @ParameterizedTest
+  @CsvSource({"3, 60, 0", "4, 60, 0.5", "4, 30.67, 0.7", "8, 60, 0.9"})
+  void ballsInASteepWedge(int balls, double slope, double e) {
+    for (int seed = 0; seed < 10; seed++) {
+      SceneBuilder scene = falling().line(0, 0, 400, 400 * slope).line(0, 0, -400, 400 * slope);
+      Random random = new Random(seed);
+      double bottom = 40 + 10 * slope + 12 * Math.sqrt(1 + slope * slope);
+      for (int i = 0; i < balls; i++) {
+        scene.circle(2 * random.nextDouble() - 1, bottom + 22 * i, 10, 0, 0);
+        scene.restitution(Math.sqrt(e));
+      }
+      play(scene, 300);
+    }
+  }
+
   /** Large balls and small ones, of equal density. */
   @ParameterizedTest
   @CsvSource({"3, 0", "10, 0.5", "100, 0", "100, 0.5", "1000, 0", "1000, 0.5"})

@@ -439,7 +439,9 @@ public final class NeighborGrid {
       double columns = axis.cell(x - originX + half) - left + 1;
       double rows = axis.cell(y - originY + half) - bottom + 1;
       int width = (int) Math.min(columns, grid.columns());
-      int height = (int) Math.min(rows, grid.rows());
+      // Row after row on a ring: columns beyond a whole row stand in the rows above.
+      double above = Math.floor((columns - 1) / grid.columns());
+      int height = (int) Math.min(rows + above, grid.rows());
       for (int row = 0; row < height; row++) {
         for (int column = 0; column < width; column++) {
           int cell = grid.cell(wrapped(left) + column, wrapped(bottom) + row);
