@@ -72,28 +72,27 @@ final class FirstScreen {
     if (all.stream().anyMatch(s -> s.isFasterThan(carom))) {
       return "and not the fastest (" + Standing.faster(all, "median") + ")";
     }
-    String level =
-        carom
-            .others()
-            .filter(s -> s.isLevelWith(carom))
-            .map(Standing::name)
-            .collect(Collectors.joining(", "));
-    return level.isEmpty() ? "and the fastest measured" : "and as fast as " + level;
+    List<Standing> level = carom.others().filter(s -> s.isLevelWith(carom)).toList();
+    String names = level.stream().map(Standing::name).collect(Collectors.joining(", "));
+    boolean areControls = level.stream().allMatch(s -> Glossary.isControl(s.method()));
+    return level.isEmpty()
+        ? "and the fastest measured"
+        : "and as fast as " + names + (areControls ? " (written for comparison)" : "");
   }
 
-  /** The fastest of all others that err at most ten times as much. */
+  /** The fastest of all others told apart in time that err at most ten times as much. */
   private Optional<String> nearest(Standing carom) {
     return all.stream()
-        .filter(s -> !s.isOurs() && !s.failed())
+        .filter(s -> !s.isOurs() && !s.failed() && !s.isLevelWith(carom))
         .filter(s -> s.error() <= AS_ACCURATE * carom.error())
         .min(Comparator.comparingDouble(FirstScreen::time))
         .map(
             s ->
-                "the nearest that is as accurate (%s%s) takes %s"
+                "the nearest that is as accurate (%s%s) takes %s times as long"
                     .formatted(
                         s.name(),
                         Glossary.isControl(s.method()) ? ", written for comparison" : "",
-                        s.isLevelWith(carom) ? "as long" : times(s, carom) + " times as long"));
+                        times(s, carom)));
   }
 
   private Optional<String> engine(Standing carom) {
