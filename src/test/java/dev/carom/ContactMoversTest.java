@@ -132,7 +132,7 @@ class ContactMoversTest {
   }
 
   @ParameterizedTest
-  @CsvSource({"50, 1, 0.5", "50, 1, 0", "50, 1, 1", "100, 0.2, 0.5", "100, 1, 0.5"})
+  @CsvSource({"50, 1, 0.5", "50, 1, 0", "50, 1, 1", "50, 0.2, 0.5", "100, 0.2, 0.5", "100, 1, 0.5"})
   @Tag("long")
   void aPistonPushesManyBalls(int balls, double speed, double e) {
     double size = Math.sqrt(balls / 50.0);

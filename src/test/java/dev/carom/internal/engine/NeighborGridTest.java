@@ -13,6 +13,7 @@ import dev.carom.internal.queue.CalendarQueue;
 import dev.carom.internal.state.CircleRegistry;
 import dev.carom.internal.state.CircleTable;
 import dev.carom.internal.util.Index;
+import dev.carom.internal.util.IntList;
 import java.util.Arrays;
 import java.util.HashSet;
 import java.util.List;
@@ -20,6 +21,7 @@ import java.util.Random;
 import java.util.Set;
 import java.util.function.IntFunction;
 import java.util.stream.Collectors;
+import java.util.stream.IntStream;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
@@ -87,6 +89,33 @@ class NeighborGridTest {
       }
     }
     assertThat(touching).isPositive();
+  }
+
+  /** In narrow grids, too, where a search is wider than a row of cells. */
+  @ParameterizedTest
+  @ValueSource(doubles = {0.1, 3, 30})
+  void allNearAPlaceAreFoundOnce(double width) {
+    Random random = new Random(3);
+    SceneBuilder builder = Scene.builder();
+    for (int i = 0; i < 20; i++) {
+      double radius = i % 5 == 0 ? 4 : 1;
+      builder.circle(width * random.nextDouble(), 90 * random.nextDouble(), radius, 0, 0);
+    }
+    Scene scene = builder.build();
+    CircleTable circles = circles(scene);
+    NeighborGrid neighbors = grid(scene, circles);
+    for (int k = 0; k < 500; k++) {
+      Circle disk = new Circle(width * random.nextDouble(), 90 * random.nextDouble(), k % 40);
+      IntList found = new IntList();
+      neighbors.addNear(disk.x(), disk.y(), disk.radius(), found);
+      List<Integer> all = IntStream.range(0, found.size()).mapToObj(found::get).toList();
+      assertThat(all).doesNotHaveDuplicates();
+      for (int i = 0; i < circles.count; i++) {
+        if (touch(disk, (Circle) scene.shape(Kind.CIRCLE, i))) {
+          assertThat(all).contains(i);
+        }
+      }
+    }
   }
 
   /** Adds those that follow in the lists. */
