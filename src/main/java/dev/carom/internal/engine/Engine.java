@@ -355,8 +355,9 @@ public abstract class Engine {
 
   /** Lets a recording stand here before a step, if the world was edited. */
   public final void standBefore(double now) {
-    if (recorder.takeEdits()) { // which cannot be played again
+    if (recorder.isStandDue()) {
       stand(now);
+      recorder.clearDue();
     }
   }
 

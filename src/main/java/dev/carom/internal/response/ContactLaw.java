@@ -43,9 +43,8 @@ final class ContactLaw {
   static final int WORK = SWEEPS * SWEEPS;
 
   /**
-   * What fails is tried so many times: flights that meet are pushed apart once more, a tick without
-   * safe flights is cut to a quarter. With 1 {@code ContactExactTest.theErrorIsOfSecondOrder}
-   * fails.
+   * So many times are flights that meet pushed apart, and so many times is a tick without safe
+   * flights cut to a quarter. With 1 {@code ContactExactTest.theErrorIsOfSecondOrder} fails.
    */
   static final int TRIES = 4;
 

@@ -186,7 +186,7 @@ final class Momenta {
   }
 
   /**
-   * Finds the work of the impulses on each group of contacts that bear, twice: {@code sum l (q +
+   * Finds twice the work of the impulses on each group of contacts that bear: {@code sum l (q +
    * q_after)}.
    */
   private void findWork() {

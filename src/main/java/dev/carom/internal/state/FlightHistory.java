@@ -13,7 +13,7 @@ public final class FlightHistory extends History {
   public final FlightTable rows = FlightTable.past();
 
   /** From when on the newest row holds: often another one replaces it, which starts then. */
-  private double newest;
+  private double newestTime;
 
   /** From when on each row holds; null as long as all others hold from the start of a flight. */
   private double[] times;
@@ -33,7 +33,7 @@ public final class FlightHistory extends History {
   @Override
   double time(int place) {
     if (place == newest()) {
-      return newest;
+      return newestTime;
     }
     return times == null ? rows.start(place) : times[place];
   }
@@ -55,14 +55,14 @@ public final class FlightHistory extends History {
    * @param horizon what ended by this time may be dropped
    */
   void add(MovingCircle m, double time, CircleProperties its, double horizon) {
-    boolean isNext = !isEmpty() && newest < time;
+    boolean isNext = !isEmpty() && newestTime < time;
     int place = place(time, horizon);
-    if (isNext && times == null && newest != rows.start(place - 1)) {
+    if (isNext && times == null && newestTime != rows.start(place - 1)) {
       times = new double[room()];
       Arrays.setAll(times, rows::start);
-      times[place - 1] = newest;
+      times[place - 1] = newestTime;
     }
-    newest = time;
+    newestTime = time;
     if (times != null) {
       times[place] = time;
     }

@@ -68,8 +68,8 @@ public final class TimelineRecorder {
 
   private long mostFlights;
 
-  /** Whether the world was edited since the last step, in a way that asks for a stand. */
-  private boolean isEdited;
+  /** Whether a stand is due before the next step. */
+  private boolean isStandDue;
 
   /** Whether the last step ended where it began. */
   private boolean isRepeated;
@@ -169,7 +169,7 @@ public final class TimelineRecorder {
     settings.set(now, Settings.of(limits, obstacles, gravity), now);
     stands = new Changes<>();
     stands.set(now, true, now);
-    isEdited = true;
+    isStandDue = true;
     tails.clear();
     begin = now;
     end = now;
@@ -233,19 +233,17 @@ public final class TimelineRecorder {
    * edit: at the time of a stand, while all rest, and amid the events of a time.
    */
   public void noteEdit(boolean isUnfinished) {
-    isEdited |= isUnfinished || isRepeated || stands.last() || stands.since() == end;
+    isStandDue |= isUnfinished || isRepeated || stands.last() || stands.since() == end;
   }
 
-  /** Whether an edit since the last step asks for a stand. */
+  /** Whether a stand is due before the next step. */
   public boolean isStandDue() {
-    return isEdited;
+    return isStandDue;
   }
 
-  /** Forgets the edits since the last step; whether any asked for a stand. */
-  public boolean takeEdits() {
-    boolean any = isEdited;
-    isEdited = false;
-    return any;
+  /** Notes that the stand was made. */
+  public void clearDue() {
+    isStandDue = false;
   }
 
   /** Whether all members rested at the last stand, and do so since. */
