@@ -67,7 +67,10 @@ public final class OutlineSeparation {
     return new Separation(bestX, bestY);
   }
 
-  /** Takes the place at an offset from the centre if it is nearer than the best one, and free. */
+  /**
+   * Takes the place at an offset from the centre if it is nearer than the best one, and free. An
+   * offset of NaN, from a quotient by 0 or the root of a negative number, stands for no place.
+   */
   private void take(double dx, double dy) {
     double square = dx * dx + dy * dy;
     if (square < best && !outline.overlaps(x + dx, y + dy, r)) {
@@ -91,9 +94,7 @@ public final class OutlineSeparation {
       double dx = x - outline.x(i);
       double dy = y - outline.y(i);
       double d = StrictMath.hypot(dx, dy);
-      if (d > 0) {
-        take((reach - d) * (dx / d), (reach - d) * (dy / d));
-      }
+      take((reach - d) * (dx / d), (reach - d) * (dy / d));
     }
   }
 
@@ -131,10 +132,8 @@ public final class OutlineSeparation {
   /** Two lines. */
   private void cross(double[] one, double[] other) {
     double sine = one[2] * other[3] - one[3] * other[2];
-    if (sine != 0) {
-      double s = ((other[0] - one[0]) * other[3] - (other[1] - one[1]) * other[2]) / sine;
-      take(one[0] + s * one[2], one[1] + s * one[3]);
-    }
+    double s = ((other[0] - one[0]) * other[3] - (other[1] - one[1]) * other[2]) / sine;
+    take(one[0] + s * one[2], one[1] + s * one[3]);
   }
 
   /** A line, and the circle around a vertex. */
@@ -143,22 +142,18 @@ public final class OutlineSeparation {
     double footX = line[0] + along * line[2];
     double footY = line[1] + along * line[3];
     double apart = StrictMath.hypot(vx - footX, vy - footY);
-    if (apart < reach) {
-      double half = Math.sqrt((reach - apart) * (reach + apart));
-      take(footX + half * line[2], footY + half * line[3]);
-      take(footX - half * line[2], footY - half * line[3]);
-    }
+    double half = Math.sqrt((reach - apart) * (reach + apart));
+    take(footX + half * line[2], footY + half * line[3]);
+    take(footX - half * line[2], footY - half * line[3]);
   }
 
   /** The circles around two vertices. */
   private void cross(double ax, double ay, double bx, double by) {
     double half = 0.5 * StrictMath.hypot(bx - ax, by - ay);
-    if (half > 0 && half < reach) {
-      double up = Math.sqrt((reach - half) * (reach + half)) / (2 * half);
-      double middleX = 0.5 * (ax + bx);
-      double middleY = 0.5 * (ay + by);
-      take(middleX - up * (by - ay), middleY + up * (bx - ax));
-      take(middleX + up * (by - ay), middleY - up * (bx - ax));
-    }
+    double up = Math.sqrt((reach - half) * (reach + half)) / (2 * half);
+    double middleX = 0.5 * (ax + bx);
+    double middleY = 0.5 * (ay + by);
+    take(middleX - up * (by - ay), middleY + up * (bx - ax));
+    take(middleX + up * (by - ay), middleY - up * (bx - ax));
   }
 }
