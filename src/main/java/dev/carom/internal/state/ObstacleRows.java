@@ -4,7 +4,6 @@ package dev.carom.internal.state;
 import dev.carom.internal.sweep.ObstacleShape;
 import dev.carom.internal.util.KindNumber;
 import java.util.Arrays;
-import java.util.stream.IntStream;
 
 /**
  * The obstacles of one kind, by their {@link Codes}: for each a row of doubles, laid out by its
@@ -164,7 +163,7 @@ public final class ObstacleRows {
   void joinLast() {
     own();
     joints.join();
-    joined += isGone(end - 1) ? 0 : 1;
+    joined++;
   }
 
   /** Whether the spine of an obstacle begins where that of another one ends. */
@@ -177,14 +176,14 @@ public final class ObstacleRows {
 
   /** Joins as in a later table, in which no id is another one. */
   void joinAs(ObstacleRows later) {
-    int[] theirs = IntStream.of(later.joined()).filter(row -> row < count()).toArray();
-    if (!Arrays.equals(theirs, joined())) {
-      join(theirs);
+    if (later.areJoined()) {
+      join(later.joined());
     }
   }
 
   /**
    * Sets the numbers, within the kind, of the codes that belong to the obstacle of the one before.
+   * Numbers beyond the last code count for nothing.
    */
   public void join(int... rows) {
     own();
@@ -333,10 +332,10 @@ public final class ObstacleRows {
     traits.setFilter(code - first(), filter);
   }
 
-  /** Removes an obstacle: no search finds it any more. */
+  /** Removes a live obstacle: no search finds it any more. */
   void remove(int code) {
     edited = true;
-    joined -= isJoined(code) && !isGone(code) ? 1 : 0;
+    joined -= isJoined(code) ? 1 : 0;
     setTraits(code, 0);
     setFilter(code, FilterBits.DEFAULT);
     int k = offset(code);
@@ -365,10 +364,6 @@ public final class ObstacleRows {
 
   @Override
   public int hashCode() {
-    int hash = kind;
-    for (int k = offset(first()); k < offset(end); k++) {
-      hash = 31 * hash + Double.hashCode(values[k]);
-    }
-    return hash;
+    return Arrays.hashCode(Arrays.copyOf(values, offset(end)));
   }
 }

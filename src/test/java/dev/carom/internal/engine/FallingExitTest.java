@@ -2,6 +2,7 @@
 package dev.carom.internal.engine;
 
 import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.within;
 
 import java.util.Random;
 import org.junit.jupiter.api.RepeatedTest;
@@ -61,5 +62,36 @@ class FallingExitTest {
   })
   void inDoubtThereIsNoQuickWay(double v, double g, double since) {
     assertThat(FallingExit.ahead(0.5, v, g, since, 0, new CellAxis(2, 16))).isNaN();
+  }
+
+  /**
+   * From 0.5 it is at 0.5 + 3 t - t^2 with cells of width 2: up through 2 at (3 - sqrt 3) / 2, over
+   * the top at 1.5, down again through 2 and 0. With 2 t it turns below 2. With 2.5 t - 6.25 t^2 it
+   * just reaches 0.75; with 1 t + t^2 and none at all it only goes along.
+   */
+  @ParameterizedTest
+  @CsvSource({
+    "2, 3, -2, 0, 0, 0.6339745962155614, 1",
+    "2, 3, -2, 0.6339745962155614, 1, 2.3660254037844386, -1",
+    "2, 3, -2, 2.3660254037844386, 0, 3.1583123951777, -1",
+    "2, 2, -2, 0, 0, 2.224744871391589, -1",
+    "2, 2, -2, 2.224744871391589, -1, 2.8708286933869707, -1",
+    "0.75, 2.5, -12.5, 0, 0, 0.2, 1",
+    "2, 1, 2, 0, 0, 0.8228756555322954, 1",
+    "2, 0, 2, 0, 0, 1.224744871391589, 1",
+    "2, 0, -2, 0, 0, 0.7071067811865476, -1",
+    "2, -3, 2, 0, 0, 0.17712434446770464, -1",
+    "2, -3, 2, 0.17712434446770464, -1, 2.8228756555322954, 1",
+    "2, -3, 0, 0, 0, 0.16666666666666666, -1",
+    "2, 3, 0, 0, 0, 0.5, 1",
+    "2, 0, 0, 0, 0, Infinity, 1",
+  })
+  void leavesWhereTheParabolaCrossesAnEdge(
+      double width, double v, double g, double since, double cell, double after, double way) {
+    exit.find(0.5, v, g, since, cell, new CellAxis(width, 16));
+    assertThat(exit.after).isEqualTo(after, within(1e-14));
+    if (after < Double.POSITIVE_INFINITY) {
+      assertThat(exit.direction).isEqualTo(way);
+    }
   }
 }

@@ -7,6 +7,7 @@ import static org.assertj.core.api.Assertions.assertThatThrownBy;
 import static org.junit.jupiter.api.Assumptions.assumeTrue;
 
 import dev.carom.Kind;
+import dev.carom.Outline;
 import dev.carom.Scene;
 import dev.carom.SceneBuilder;
 import dev.carom.TestScenes;
@@ -77,6 +78,25 @@ class SceneFileTest {
     Scene empty = Scene.builder().build();
     assertThat(written(empty)).isEmpty();
     assertThat(read("")).isEqualTo(empty);
+  }
+
+  @Test
+  void whatHoldsAnywayMayBeSaid() throws IOException {
+    assertThat(
+            read(
+                """
+                collide,0
+                line,1,2,3,4,response=bounce,oneway=0
+                outline,0,0,9,0,9,9,solid=0
+                peg,1,2,3,vx=0,vy=0
+                """))
+        .isEqualTo(
+            Scene.builder()
+                .line(1, 2, 3, 4)
+                .outline(Outline.polyline(0, 0, 9, 0, 9, 9))
+                .peg(1, 2, 3)
+                .collide(false)
+                .build());
   }
 
   @Test
