@@ -131,8 +131,9 @@ class OutlineTest {
   void warnsOfACircleInside() {
     Scene scene =
         Scene.builder().outline(BRICK).circle(5, 2, 0.5, 0, 0).circle(3.75, 2, 0.5, 0, 0).build();
-    assertThat(scene.warnings()).hasSize(2);
-    assertThat(scene.warnings()).allMatch(it -> it.kind() == Kind.LINE && it.id() == 0);
+    assertThat(scene.warnings())
+        .containsExactly(
+            new Warning(0, Kind.LINE, 0, -1, 0.5), new Warning(1, Kind.LINE, 0, 0.25, 0.5));
   }
 
   // Impacts.

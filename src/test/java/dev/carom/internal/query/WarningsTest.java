@@ -80,6 +80,14 @@ class WarningsTest {
   }
 
   @Test
+  void theDistanceFromAWallIsThatFromItsPlace() {
+    assertThat(of(Scene.builder().bounds(2, -3, 9, 7).circle(3, -2.5, 4, 0, 0)))
+        .containsExactly(
+            "circle 0: distance from the left wall is 1.0: expected at least 4.0, its radius",
+            "circle 0: distance from the bottom wall is 0.5: expected at least 4.0, its radius");
+  }
+
+  @Test
   void circlesThatIgnoreEachOtherMayOverlap() {
     SceneBuilder scene = box().circle(40, 40, 4, 1, 1).circle(41, 40, 4, 1, 1);
     assertThat(of(scene)).isEmpty();

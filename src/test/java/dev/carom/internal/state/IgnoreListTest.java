@@ -43,6 +43,31 @@ class IgnoreListTest {
     assertThat(IgnoreList.crushes(entries[1])).isTrue();
   }
 
+  /** The left wall has the code 0. */
+  @Test
+  void tellsWhatIsInertFromWhatCrushed() {
+    IgnoreList wall = of(Codes.LEFT);
+    IgnoreList jam = IgnoreList.crushedBy(wall, 5);
+    assertThat(jam.entries()).containsExactly(0, ~5);
+    assertThat(IgnoreList.code(0)).isZero();
+    assertThat(wall.hasCrushers()).isFalse();
+    assertThat(jam.hasCrushers()).isTrue();
+    assertThat(jam.isCrushedBy(5)).isTrue();
+    assertThat(jam.isCrushedBy(Codes.LEFT)).isFalse();
+    assertThat(jam.makesInert(5)).isFalse();
+    assertThat(jam.concerns(5)).isTrue();
+    assertThat(jam.concerns(Codes.LEFT)).isTrue();
+    assertThat(jam.concerns(6)).isFalse();
+  }
+
+  /** A line keeps its code, circle i becomes circle i + 3. */
+  @Test
+  void numbersCirclesAnew() {
+    IgnoreList jam = IgnoreList.crushedBy(of(5, Codes.circle(1)), Codes.circle(2));
+    assertThat(jam.ofOtherCircles(i -> i + 3))
+        .isEqualTo(IgnoreList.crushedBy(of(5, Codes.circle(4)), Codes.circle(5)));
+  }
+
   @Test
   void forgetsAllThatCrushed() {
     IgnoreList jam = IgnoreList.crushedBy(IgnoreList.crushedBy(of(3), 5), Codes.circle(7));
