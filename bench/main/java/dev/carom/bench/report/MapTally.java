@@ -25,9 +25,9 @@ record MapTally(
   static final String BAR = " | ";
 
   /** The more often right the better; where that is equal, the more often right to 0.1 radius. */
-  static final Comparator<MapTally> BY_RIGHT =
-      Comparator.comparingLong(MapTally::right)
-          .thenComparingDouble(t -> Double.isNaN(t.coarse) ? 0 : t.coarse);
+  static final Comparator<List<MapTally>> BY_RIGHT =
+      Comparator.<List<MapTally>>comparingDouble(MapTally::part)
+          .thenComparingDouble(all -> Math.max(0, coarse(all)));
 
   /** Those of a map; none if it was not played. */
   static List<MapTally> of(Results results, FailureMap map) {
@@ -50,10 +50,6 @@ record MapTally(
     return s.results().series(s.scene(), s.setting(), metric, Survey.CELL).values();
   }
 
-  String name() {
-    return Glossary.shortName(setting);
-  }
-
   private long right() {
     return outcomes.stream().filter(outcome -> outcome == CellOutcome.RIGHT.ordinal()).count();
   }
@@ -67,6 +63,10 @@ record MapTally(
     return (double) tallies.stream().mapToLong(MapTally::right).sum() / cells(tallies);
   }
 
+  private static double coarse(Collection<MapTally> tallies) {
+    return tallies.stream().mapToDouble(MapTally::coarse).sum();
+  }
+
   /** That part in percent. */
   static String share(Collection<MapTally> tallies) {
     return ReportNumbers.share(part(tallies), 1);
@@ -74,7 +74,7 @@ record MapTally(
 
   /** The share of cells that are right to 0.001 radius, and that to 0.1. */
   static String shares(Collection<MapTally> tallies) {
-    double coarse = tallies.stream().mapToDouble(MapTally::coarse).sum();
+    double coarse = coarse(tallies);
     return Double.isNaN(coarse)
         ? share(tallies)
         : share(tallies) + BAR + ReportNumbers.share(coarse, cells(tallies));

@@ -6,6 +6,7 @@ import dev.carom.bench.charts.FailureMapChart.Board;
 import dev.carom.bench.charts.FailureMapChart.Side;
 import dev.carom.bench.charts.Panel;
 import dev.carom.bench.results.Results;
+import dev.carom.bench.results.Setting;
 import dev.carom.bench.stability.Axis;
 import dev.carom.bench.stability.CellLimit;
 import dev.carom.bench.stability.CellOutcome;
@@ -13,6 +14,7 @@ import dev.carom.bench.stability.FailureMap;
 import dev.carom.bench.stability.Survey;
 import java.util.ArrayList;
 import java.util.Collection;
+import java.util.Comparator;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
@@ -62,8 +64,9 @@ public final class StabilityFigures {
         MapTally.values(any, Survey.LIMIT).stream()
             .map(limit -> limit != CellLimit.NONE.ordinal())
             .toList();
-    List<Board> boards = drawn(tallies).stream().map(StabilityFigures::board).toList();
-    String title = new StabilityMatrix(tallies).title();
+    StabilityMatrix matrix = new StabilityMatrix(tallies);
+    List<Board> boards = drawn(tallies, matrix).stream().map(StabilityFigures::board).toList();
+    String title = matrix.title();
     FailureMapChart chart =
         new FailureMapChart(
             title,
@@ -96,15 +99,19 @@ public final class StabilityFigures {
         tally.outcomes());
   }
 
-  /** Of each method the setting that is right most often, to 0.001 radius, then to 0.1. */
-  private static Collection<MapTally> drawn(List<MapTally> tallies) {
+  /** Who the title names, and of each other method that is drawn its best setting. */
+  private static Collection<MapTally> drawn(List<MapTally> tallies, StabilityMatrix matrix) {
+    List<Setting> named = matrix.rivals();
     Map<String, MapTally> best = new LinkedHashMap<>();
     tallies.stream()
-        .filter(tally -> tally.played() && Settings.isDrawn(tally.setting()))
+        .filter(MapTally::played)
+        .filter(tally -> Settings.isDrawn(tally.setting()) || named.contains(tally.setting()))
         .forEach(
             tally ->
                 best.merge(
-                    tally.setting().method(), tally, BinaryOperator.maxBy(MapTally.BY_RIGHT)));
+                    tally.setting().method(),
+                    tally,
+                    BinaryOperator.maxBy(Comparator.comparing(List::of, MapTally.BY_RIGHT))));
     return best.values();
   }
 
@@ -124,7 +131,8 @@ public final class StabilityFigures {
     String names =
         tallies.stream()
             .filter(t -> !t.played())
-            .map(MapTally::name)
+            .map(tally -> Glossary.name(tally.setting().method()))
+            .distinct()
             .collect(Collectors.joining(", "));
     return names.isEmpty() ? "" : " " + names + " cannot play such scenes.";
   }

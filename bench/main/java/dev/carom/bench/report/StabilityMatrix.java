@@ -50,8 +50,7 @@ public final class StabilityMatrix {
 
   /** How Carom does, and the best of the others. */
   String title() {
-    return "Carom is right in %s of %s scenes; %s"
-        .formatted(share(Metrics.CAROM), cells(), rivals());
+    return "Carom is right in %s of %s scenes; %s".formatted(share(Metrics.CAROM), cells(), told());
   }
 
   private String cells() {
@@ -101,7 +100,7 @@ public final class StabilityMatrix {
     return played.keySet().stream()
         .filter(setting -> !setting.equals(Metrics.CAROM) && who.test(setting))
         .max(
-            Comparator.comparingDouble((Setting setting) -> MapTally.part(played.get(setting)))
+            Comparator.<Setting, List<MapTally>>comparing(played::get, MapTally.BY_RIGHT)
                 .thenComparing(Settings::isDrawn));
   }
 
@@ -115,19 +114,22 @@ public final class StabilityMatrix {
             "Stability",
             share(Metrics.CAROM),
             "of %s small scenes right to 0.001 radius".formatted(cells()),
-            rivals()));
+            told()));
   }
 
   /** The best of the others, the best engine, and the published method. */
-  private String rivals() {
+  List<Setting> rivals() {
     return Stream.of(
             best(s -> true),
             best(Glossary::isEngine),
             best(s -> s.method().equals(FirstScreen.PUBLISHED)))
         .flatMap(Optional::stream)
         .distinct()
-        .map(this::rival)
-        .collect(Collectors.joining("; "));
+        .toList();
+  }
+
+  private String told() {
+    return rivals().stream().map(this::rival).collect(Collectors.joining("; "));
   }
 
   private String rival(Setting setting) {

@@ -68,8 +68,20 @@ class StabilityFiguresTest {
     engine("gdx-box2d", "setting=best", 0, 3);
 
     assertThat(figure().title())
-        .isEqualTo("Carom is right in 100 % of 6 scenes; best engine, Box2D defaults: 0 %");
+        .isEqualTo("Carom is right in 100 % of 6 scenes; best engine, Box2D tuned: 0 %");
     assertThat(svg()).contains(">tuned: 0 %<").doesNotContain(">defaults");
+  }
+
+  /** Also one that no other chart has. */
+  @Test
+  void whomTheTitleNamesHasAPanel() {
+    limits(CellLimit.NONE);
+    outcomes("carom", CellOutcome.RIGHT);
+    outcomes("plain-grid", CellOutcome.NO_ANSWER);
+    outcomes("textbook-float", CellOutcome.RIGHT);
+
+    assertThat(figure().title()).endsWith("; textbook float: 100 %");
+    assertThat(svg()).contains(">textbook float<", ">plain + grid<");
   }
 
   private Figure figure() {
