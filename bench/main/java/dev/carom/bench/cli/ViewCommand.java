@@ -119,7 +119,6 @@ final class ViewCommand extends BenchCommand {
     if (png != null) {
       draw(scene, title);
     } else if (record == null) {
-      Player.warmUp(scene);
       Windows.show(
           () -> {
             Style.requireFonts();

@@ -15,7 +15,6 @@ import dev.carom.bench.charts.WorldScene;
 import java.util.Arrays;
 import java.util.HashSet;
 import java.util.List;
-import java.util.OptionalDouble;
 import java.util.Set;
 
 /**
@@ -39,9 +38,6 @@ public final class Player {
 
   /** The work of a call, in impacts: a tenth of the usual budget, for the window waits. */
   private static final long WORK = 200_000;
-
-  private static final long WARM_UP_NANOS = 400_000_000;
-  private static final int WARM_UP_FRAMES = 1000;
 
   private final double frame;
   private final EditTimes jumps = new EditTimes();
@@ -74,21 +70,6 @@ public final class Player {
   /** Starts anew with the scene that was loaded last. */
   public void restart() {
     begin(beginning);
-  }
-
-  /**
-   * Runs a scene for a moment in another world, so that the virtual machine compiles what moves it:
-   * otherwise the first seconds would time its interpreter.
-   */
-  public static void warmUp(Scene scene) {
-    long end = System.nanoTime() + WARM_UP_NANOS;
-    while (System.nanoTime() < end) {
-      World world = new World(scene);
-      world.record(KEPT);
-      for (int frame = 1; frame <= WARM_UP_FRAMES && System.nanoTime() < end; frame++) {
-        world.step(1);
-      }
-    }
   }
 
   private void begin(Scene scene) {
@@ -161,10 +142,8 @@ public final class Player {
 
   /** If the world stops before, it goes on with the next call. */
   private boolean advance(double t) {
-    double from = world.now();
-    long start = System.nanoTime();
     boolean reached = world.advanceTo(t, WORK);
-    history.add(from, world.now(), System.nanoTime() - start, world.impacts());
+    history.add(world.impacts());
     return reached;
   }
 
@@ -266,21 +245,10 @@ public final class Player {
     return Still.of(scene).glowing(i -> lately.contains(ids[i]));
   }
 
-  /** The machinery of the world: a phrase. */
-  public String engineDescription() {
-    String text = world.toString();
-    return text.substring(text.indexOf("; ") + 2, text.length() - 1);
-  }
-
   /** The impacts of a time before the moment shown, at most so many of the newest, in order. */
   List<Mark> marks(double time, int most) {
     double upTo = isPresent() ? Double.POSITIVE_INFINITY : shown();
     return history.marks(shown() - time, upTo, most);
-  }
-
-  /** What a frame took on the way to the moment shown, in nanoseconds; empty if none was played. */
-  OptionalDouble frameNanos() {
-    return history.frameNanos(shown(), frame);
   }
 
   /** The time of a frame at speed 1. */

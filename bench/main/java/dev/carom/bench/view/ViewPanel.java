@@ -14,7 +14,6 @@ import java.awt.event.ActionEvent;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Locale;
-import java.util.OptionalDouble;
 import java.util.function.Consumer;
 import javax.swing.AbstractAction;
 import javax.swing.AbstractButton;
@@ -56,9 +55,6 @@ public final class ViewPanel extends JPanel {
 
   /** Frames a tick that slow engines still keep up with. */
   private static final double MOST_IN_DUEL = 10;
-
-  /** The time of a frame at 60 a second, in nanoseconds. */
-  private static final double BUDGET = 1e9 / 60;
 
   /** Among the rivals: nobody. */
   private static final String ALONE = "nobody";
@@ -276,10 +272,8 @@ public final class ViewPanel extends JPanel {
       String tip = preset.about() + ", beside " + Rival.BOX2D.title();
       KeyAction action =
           key("shift " + number, "Shift+" + number, preset.toString(), tip, () -> duel(preset));
-      JButton button = new JButton(action.name());
-      button.setToolTipText(action.hint());
-      button.setFocusable(false);
-      button.addActionListener(event -> action.action().run());
+      JButton button = new JButton();
+      addButton(button, null, action);
       duels.add(button);
     }
     duels.addComponentListener(new Rewrap(this));
@@ -468,12 +462,10 @@ public final class ViewPanel extends JPanel {
     status.setText(
         String.format(
             Locale.ROOT,
-            "time %.3f%s, %s%s; %s%s",
+            "time %.3f%s, %s%s",
             player.shown(),
             moment,
             Plural.of(player.impacts(), "impact"),
-            cost(),
-            player.engineDescription(),
             message.isEmpty() ? "" : "; " + message));
     gravity.setValue(
         (int) Math.round(gravity.getMaximum() * player.look().gravity().length() / full()));
@@ -483,18 +475,6 @@ public final class ViewPanel extends JPanel {
       rivalPane.repaint();
       scorePane.repaint();
     }
-  }
-
-  /** What a frame takes, of the 16.67 ms that 60 a second have. */
-  private String cost() {
-    OptionalDouble nanos = player.frameNanos();
-    return nanos.isEmpty()
-        ? ""
-        : String.format(
-            Locale.ROOT,
-            "; a frame takes %.1f µs (median), %.2g %% of the budget",
-            nanos.getAsDouble() / 1e3,
-            nanos.getAsDouble() / BUDGET * 100);
   }
 
   /** The text of the status line. */

@@ -206,15 +206,6 @@ class PlayerTest {
   }
 
   @Test
-  void tellsWhatAFrameOnTheWayToTheMomentShownTook() {
-    assertThat(player.frameNanos()).isEmpty();
-    run(20);
-    assertThat(player.frameNanos().getAsDouble()).isPositive();
-    player.seek(0);
-    assertThat(player.frameNanos()).isEmpty();
-  }
-
-  @Test
   void showsAtMostSoManyNormalsTheNewest() {
     run(100);
     assertThat(player.marks(100, 3)).extracting(Mark::time).containsExactly(75.0, 85.0, 95.0);

@@ -109,16 +109,14 @@ class ViewPanelTest {
     button("Run").doClick();
     panel.tick();
     panel.tick();
-    assertThat(panel.status())
-        .startsWith("time 2.000, 0 impacts; ")
-        .contains("; circles that ignore each other");
+    assertThat(panel.status()).isEqualTo("time 2.000, 0 impacts");
     button("Pause").doClick();
     panel.tick();
     assertThat(player.shown()).isEqualTo(2);
     button("Frame").doClick();
     assertThat(player.shown()).isEqualTo(3);
     button("Impact").doClick();
-    assertThat(panel.status()).startsWith("time 5.000, 1 impact;");
+    assertThat(panel.status()).isEqualTo("time 5.000, 1 impact");
     button("Restart").doClick();
     assertThat(player.end()).isZero();
     slider("Speed").setValue(100);
@@ -136,7 +134,7 @@ class ViewPanelTest {
     slider.setValue(slider.getMaximum() / 3);
     assertThat(panel.status()).startsWith("time 4.999 of 15.000 (past), 0 impacts");
     button("Impact").doClick();
-    assertThat(panel.status()).startsWith("time 5.000 of 15.000 (past), 1 impact;");
+    assertThat(panel.status()).isEqualTo("time 5.000 of 15.000 (past), 1 impact");
     assertThat(player.end()).isEqualTo(15);
   }
 
@@ -261,15 +259,6 @@ class ViewPanelTest {
         .filter(b -> tool.name().equals(b.getName()))
         .findFirst()
         .get();
-  }
-
-  @Test
-  void tellsWhatAFrameTakesOfTheBudget() {
-    assertThat(panel.status()).doesNotContain("budget");
-    button("Run").doClick();
-    panel.tick();
-    assertThat(panel.status())
-        .matches(".*; a frame takes [0-9.]+ µs \\(median\\), .* % of the budget; .*");
   }
 
   @Test
