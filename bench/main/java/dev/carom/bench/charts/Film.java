@@ -22,8 +22,8 @@ import java.util.stream.DoubleStream;
 
 /**
  * What is seen of a world while somebody plays: its things as they are at equal steps of time, and
- * straight on between. Things may come, move, turn and go. {@link Motion} is exact, but knows a
- * scene that nobody changes only.
+ * straight on between. Things may come, move, turn and go. Where nothing moves, the end is seen.
+ * {@link Motion} is exact, but knows a scene that nobody changes only.
  */
 public final class Film {
 
@@ -170,12 +170,15 @@ public final class Film {
       for (int key : keys) {
         values.add(value(track, key, i));
       }
-      svg.append(" %s='%s'".formatted(track.names.get(i), values.get(0)));
+      svg.append(" %s='%s'".formatted(track.names.get(i), values.get(values.size() - 1)));
       if (values.stream().distinct().count() > 1) {
         moves.append(animate(track.names.get(i), track.first, keys, values));
       }
     }
     int end = track.first + track.places.size();
+    if (end < frames) {
+      svg.append(" opacity='0'");
+    }
     if (track.first > 0 || end < frames) {
       moves.append(seen(track.first, end));
     }

@@ -22,7 +22,8 @@ import java.util.stream.Collectors;
 /**
  * A scene in motion as an animated SVG, which plays for ever. Flights are lines and parabolas
  * there, too, so it is sharp and smooth at any size. Its colours follow the reader's choice of
- * light or dark. It needs no script, so that it moves as an image of a page.
+ * light or dark. It needs no script, so that it moves as an image of a page. Where nothing moves,
+ * the end is seen.
  */
 public final class Motion {
 
@@ -139,17 +140,21 @@ public final class Motion {
     }
     if (named) {
       put("<text class='foot' x='%.0f' y='%.0f'>", GAP, head + height + GAP + 12);
-      svg.append(foot(sides.get(0).courses.duration())).append("</text>\n");
+      svg.append(foot(sides)).append("</text>\n");
     }
     return svg.append("</svg>\n").toString();
   }
 
   /** What one has to know to read several sides. */
-  private String foot(double frames) {
+  private String foot(List<Side> sides) {
+    int frames = (int) sides.get(0).courses.duration();
     double slower = seconds * FRAMES_A_SECOND / frames;
-    return (slower > 1 ? plain(slower, 1) + " times slowed down. " : "")
+    return (slower > 1 ? plain(slower, 1) + " times slower. " : "")
         + (scene.collide() ? "" : "Circles ignore each other. ")
-        + "Orange: lost through a line or a wall.";
+        + "Orange: lost through a line or a wall; in the end "
+        + sides.stream()
+            .map(side -> String.valueOf(side.courses.lostUntil(frames)))
+            .collect(Collectors.joining(" and ", "", "."));
   }
 
   private static double left(int side) {
@@ -185,7 +190,8 @@ public final class Motion {
     for (Map.Entry<Integer, Integer> count : since.entrySet()) {
       int lost = count.getKey();
       String style = lost > 0 ? " class='bad'" : "";
-      put("<text x='%.0f' y='32' text-anchor='end'%s>", left + WIDTH, style);
+      String seen = lost < side.courses.lostUntil(frames) ? " opacity='0'" : "";
+      put("<text x='%.0f' y='32' text-anchor='end'%s%s>", left + WIDTH, style, seen);
       put("%d of %d lost", lost, side.courses.circles());
       double from = count.getValue() / side.courses.duration();
       double to =
@@ -223,14 +229,14 @@ public final class Motion {
     for (int i = 0; i < scene.count(Kind.LINE); i++) {
       Obstacle shape = scene.shape(Kind.LINE, i);
       boolean solid = shape instanceof Outline outline && outline.solid();
-      put("<path class='ink%s' d='%s'>", solid ? " solid" : "", path(shape));
+      put("<path class='ink%s' d='%s'", solid ? " solid" : "", path(shape));
       moves(scene.velocity(Kind.LINE, i), duration);
       svg.append("</path>\n");
     }
     for (int i = 0; i < scene.count(Kind.PEG); i++) {
       Circle peg = (Circle) scene.shape(Kind.PEG, i);
       put(
-          "<circle class='solid' cx='%s' cy='%s' r='%s'>",
+          "<circle class='solid' cx='%s' cy='%s' r='%s'",
           number(peg.x()), number(peg.y()), number(peg.radius()));
       moves(scene.velocity(Kind.PEG, i), duration);
       svg.append("</circle>\n");
@@ -268,22 +274,29 @@ public final class Motion {
         .collect(Collectors.joining("L", "M", ends));
   }
 
+  /** Ends a tag. */
   private void moves(Vec2 velocity, double duration) {
     if (velocity.length() > 0) {
+      String end = number(velocity.x() * duration) + " " + number(velocity.y() * duration);
       put(
-          "<animateTransform attributeName='transform' type='translate' dur='%ss'"
-              + " repeatCount='indefinite' from='0 0' to='%s %s'/>",
-          seconds, number(velocity.x() * duration), number(velocity.y() * duration));
+          " transform='translate(%s)'><animateTransform attributeName='transform' type='translate'"
+              + " dur='%ss' repeatCount='indefinite' from='0 0' to='%s'/>",
+          end, seconds, end);
+    } else {
+      svg.append('>');
     }
   }
 
   private void circles(Courses courses) {
     svg.append("<g class='c' fill='#56b4e9'>\n"); // no rule of a style may hide its change
     for (int i = 0; i < courses.circles(); i++) {
-      Circle circle = (Circle) scene.shape(Kind.CIRCLE, i);
+      Vec2 end = courses.at(i, courses.duration());
       put(
-          "<circle cx='%s' cy='%s' r='%s'>",
-          number(circle.x()), number(circle.y()), number(circle.radius()));
+          "<circle cx='%s' cy='%s' r='%s'%s>",
+          number(end.x()),
+          number(end.y()),
+          number(((Circle) scene.shape(Kind.CIRCLE, i)).radius()),
+          courses.lost(i).isPresent() ? " fill='#d55e00'" : "");
       flight("cx", courses.x(i));
       flight("cy", courses.y(i));
       if (courses.lost(i).isPresent()) {

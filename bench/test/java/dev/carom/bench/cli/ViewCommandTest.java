@@ -43,7 +43,7 @@ class ViewCommandTest {
             "0 of 4 lost",
             "1 of 4 lost",
             "2 of 4 lost",
-            "2 times slowed down. Circles ignore each other. Orange: lost through a line or a wall.");
+            "2 times slower. Circles ignore each other. Orange: lost through a line or a wall; in the end 0 and 2.");
     Element first = (Element) svg.getElementsByTagName("animate").item(0);
     assertThat(first.getAttribute("dur")).isEqualTo("10.0s");
   }
