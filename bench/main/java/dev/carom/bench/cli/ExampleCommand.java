@@ -31,8 +31,8 @@ import picocli.CommandLine.Parameters;
     footer = {"", "Example: carom-bench example breakout"})
 final class ExampleCommand extends BenchCommand {
 
-  /** The height of the line under a picture, in pixels. */
-  private static final int HINT = 30;
+  /** The height of a line above or under a picture, in pixels. */
+  private static final int LINE = 30;
 
   /** The usual frames of a moving picture: 12 seconds. */
   private static final int FILM = 12 * Example.FRAMES;
@@ -121,16 +121,20 @@ final class ExampleCommand extends BenchCommand {
     Example example = name.after(frames == null ? name.frames() : frames);
     Dimension size = example.size();
     Picture still =
-        new Picture(size.width, size.height + HINT, name.about(), g -> draw(g, example));
+        new Picture(size.width, size.height + 2 * LINE, name.about(), g -> draw(g, example));
     WholeFile.write(png, still.png());
   }
 
-  /** The example, and under it what its window says there. */
-  private static void draw(Graphics2D g, Example example) {
+  /** The example, above it what it shows, and under it what its window says there. */
+  private void draw(Graphics2D g, Example example) {
     Dimension size = example.size();
+    String about = name.about();
     g.setColor(Style.INK);
-    g.setFont(Style.font(HINT / 2.0));
-    g.drawString(example.hint(), HINT / 2, size.height + HINT - HINT / 3);
-    example.draw(g, new Rectangle2D.Double(0, 0, size.width, size.height));
+    g.setFont(Style.bold(LINE / 2.0));
+    String title = Character.toUpperCase(about.charAt(0)) + about.substring(1);
+    g.drawString(title, LINE / 2, LINE - LINE / 3);
+    g.setFont(Style.font(LINE / 2.0));
+    g.drawString(example.hint(), LINE / 2, size.height + 2 * LINE - LINE / 3);
+    example.draw(g, new Rectangle2D.Double(0, LINE, size.width, size.height));
   }
 }

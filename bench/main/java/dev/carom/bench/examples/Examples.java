@@ -13,9 +13,9 @@ public enum Examples {
   PI("pi by counting collisions", 345),
   PHOTON("a photon among mirrors, and the digits of its place that are sure", 300),
   LOOP("fixed steps in a Swing timer, with gravity", 100),
-  THREADS("a scene split over two threads", 150),
+  THREADS("a scene split over two threads: each moves half of the circles", 150),
   PADDLE("a paddle that moves as a player wants it, and pushes the ball", 330),
-  WHATIF("a recorded run, and another future of it with a wall elsewhere", 240),
+  WHATIF("two futures of one past: the run as it was, and with the wall elsewhere", 240),
   PLINKO("balls fall among pegs, and the slots below count them", 12_000),
   PINBALL("slopes, bumpers and a plunger under gravity", 1_500);
 

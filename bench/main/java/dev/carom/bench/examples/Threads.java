@@ -54,7 +54,7 @@ public final class Threads implements Example {
 
   @Override
   public String hint() {
-    return "Watch: one thread moves the blue circles, another one the orange ones.";
+    return "4,000 tiny circles from one point: one thread moves the blue half, another one the orange half.";
   }
 
   @Override

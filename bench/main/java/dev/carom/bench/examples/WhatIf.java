@@ -108,7 +108,7 @@ public final class WhatIf implements Example {
 
   @Override
   public String hint() {
-    return "Left: what was. Arrow keys: back in time. Click: put the wall there, in this moment.";
+    return "Arrow keys: back in time. Click: put the wall there, in this moment.";
   }
 
   private Rectangle2D side(double half) {
@@ -127,6 +127,9 @@ public final class WhatIf implements Example {
   private void draw(Graphics2D g, Rectangle2D where, boolean another) {
     Scene scene = scene(another);
     drawing.withScene(scene).draw(g, where, Still.of(scene).colored(COLORS::get));
+    g.setColor(Style.INK);
+    String name = another ? "From frame " + Math.round(fork) + ": wall elsewhere" : "As it was";
+    g.drawString(name, (float) where.getX() + 20, (float) where.getY() + 30);
     AffineTransform map = drawing.transform(where);
     g.setStroke(Style.line(Style.THIN));
     for (int id = 0; id < COLORS.size(); id++) {
