@@ -61,11 +61,8 @@ final class Axes {
     return plot.getDomainAxis().valueToJava2D(value, area, plot.getDomainAxisEdge());
   }
 
-  /** The height of a value; one beyond an end of the axis lies at that end. */
   double y(double value) {
-    ValueAxis axis = plot.getRangeAxis();
-    double shown = Math.max(axis.getLowerBound(), Math.min(axis.getUpperBound(), value));
-    return axis.valueToJava2D(shown, area, plot.getRangeAxisEdge());
+    return plot.getRangeAxis().valueToJava2D(value, area, plot.getRangeAxisEdge());
   }
 
   /**

@@ -55,6 +55,7 @@ final class ChartStyle {
     plot.setRangeGridlineStroke(Style.line(Style.HAIR));
     axis(plot.getDomainAxis());
     axis(plot.getRangeAxis());
+    plot.getDomainAxis().setTickLabelInsets(new RectangleInsets(5, 4, 2, 4)); // clear of the others
   }
 
   private static void axis(ValueAxis axis) {

@@ -43,6 +43,8 @@ public final class CurveChart {
 
   private record Level(double value, String text) {}
 
+  private record Point(double x, double y, String text) {}
+
   private static final int HEIGHT = 300;
   private static final double NAMES = 140;
   private static final double SPACING = 90;
@@ -66,6 +68,7 @@ public final class CurveChart {
   private Level height = new Level(Double.NaN, "");
   private Level lower = new Level(Double.NaN, "");
   private Level place = new Level(Double.NaN, "");
+  private Point point = new Point(Double.NaN, Double.NaN, "");
   private double limit = Double.NaN;
 
   /**
@@ -122,6 +125,12 @@ public final class CurveChart {
     return this;
   }
 
+  /** Puts our mark at a point of our line, with words beside it, and no other mark near. */
+  public CurveChart point(double x, double y, String text) {
+    point = new Point(x, y, text);
+    return this;
+  }
+
   /** Draws a crossed ring beyond a height, above a break of the axis, where a line has no value. */
   public CurveChart limit(double value) {
     limit = value;
@@ -151,6 +160,7 @@ public final class CurveChart {
     Axes axes = Axes.draw(g, inner, places(curves), heights);
     curves.forEach(curve -> band(g, axes, curve, curves.size()));
     curves.forEach(curve -> line(g, axes, heights, curve));
+    point(g, axes);
     names(g, axes, curves);
     level(g, axes, height, -5);
     level(g, axes, lower, 13);
@@ -253,6 +263,10 @@ public final class CurveChart {
     for (int i = 0; i < points.length; i++) {
       double[] point = points[i];
       if (point[0] >= next && !Double.isNaN(point[1])) {
+        next = point[0] + SPACING;
+        if (Marks.isOurs(curve.method()) && Math.abs(point[0] - axes.x(this.point.x)) < SPACING) {
+          continue;
+        }
         String text =
             "%s at %s: %s"
                 .formatted(
@@ -260,7 +274,6 @@ public final class CurveChart {
                     Durations.number(curve.x()[i], 3),
                     heights.text(curve.middle()[i]));
         Hover.over(g, text, () -> marks.draw(g, curve.method(), point[0], point[1]));
-        next = point[0] + SPACING;
       }
     }
   }
@@ -304,6 +317,17 @@ public final class CurveChart {
       g.setFont(Style.font(11));
       double end = axes.area().getMaxX() - g.getFontMetrics().stringWidth(place.text) - 4;
       g.drawString(place.text, (float) Math.min(x + 5, end), (float) axes.area().getMaxY() - 42);
+    }
+  }
+
+  private void point(Graphics2D g, Axes axes) {
+    double x = axes.x(point.x);
+    double y = axes.y(point.y);
+    if (axes.area().contains(x, y)) {
+      marks.draw(g, Marks.OURS, x, y);
+      g.setColor(marks.color(Marks.OURS));
+      g.setFont(Style.bold(11));
+      g.drawString(point.text, (float) x + 11, (float) y + 4);
     }
   }
 

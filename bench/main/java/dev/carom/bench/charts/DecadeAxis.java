@@ -117,7 +117,7 @@ final class DecadeAxis extends LogAxis {
 
   /** Where the axis is broken, between 0 and the first decade; NaN for an axis without a 0. */
   double breakAt() {
-    return zero ? Math.sqrt(getLowerBound() * least()) : Double.NaN;
+    return zero ? Math.cbrt(getLowerBound() * least() * least()) : Double.NaN;
   }
 
   /** A value with three digits, as its ticks are written. */
@@ -140,6 +140,17 @@ final class DecadeAxis extends LogAxis {
     return Math.pow(10, highest);
   }
 
+  /** A value beyond an end lies there; 0 lies off it, so that a mark covers no text of the axis. */
+  @Override
+  public double valueToJava2D(double value, Rectangle2D area, RectangleEdge edge) {
+    double end = getLowerBound();
+    double shown =
+        zero && value == 0
+            ? Math.cbrt(end * end * least())
+            : Math.max(end, Math.min(getUpperBound(), value));
+    return super.valueToJava2D(shown, area, edge);
+  }
+
   @Override
   public List<NumberTick> refreshTicks(
       Graphics2D g, AxisState state, Rectangle2D area, RectangleEdge edge) {
@@ -153,7 +164,7 @@ final class DecadeAxis extends LogAxis {
       ticks.add(new NumberTick(value, text.apply(value), anchor, TextAnchor.CENTER, 0));
     }
     if (zero) {
-      ticks.add(new NumberTick(getLowerBound(), "0", anchor, TextAnchor.CENTER, 0));
+      ticks.add(new NumberTick(0, "0", anchor, TextAnchor.CENTER, 0));
     }
     if (beyond != null) {
       double middle = Math.sqrt(brokenAbove * getUpperBound());

@@ -10,6 +10,7 @@ import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Locale;
 import java.util.Map;
+import java.util.function.Predicate;
 import java.util.stream.DoubleStream;
 
 /**
@@ -26,7 +27,7 @@ public final class DotChart {
   public static final int TALL = 360;
 
   private static final double GUTTER = 0.22;
-  private static final double DOT = 7;
+  private static final double DOT = 6;
   private static final double WHISKER = 3;
 
   /** Where a text stands from its dot, in the order in which places are tried. */
@@ -34,8 +35,8 @@ public final class DotChart {
     {1, 0}, {-1, 0}, {0, -1}, {0, 1}, {-1, 1}, {1, 1}, {-1, -1}, {1, -1}
   };
 
-  private static final double[] DISTANCES = {10, 18, 28, 40, 54};
-  private static final double JOINED_FROM = 18;
+  private static final double[] DISTANCES = {4, 12, 21, 33, 47, 63};
+  private static final double JOINED_FROM = 12;
 
   private final String description;
   private final Marks marks;
@@ -125,7 +126,6 @@ public final class DotChart {
     private final DecadeAxis errors;
     private final Rectangle2D area;
     private final List<Rectangle2D> taken = new ArrayList<>();
-    private final List<Rectangle2D> texts = new ArrayList<>();
 
     Drawing(Graphics2D g, Axes axes, DecadeAxis errors) {
       this.g = g;
@@ -135,31 +135,33 @@ public final class DotChart {
     }
 
     void draw(List<Dot> dots) {
-      // Ours is the largest: one that lies under another is still seen.
-      List<Dot> oursFirst =
-          dots.stream().sorted(Comparator.comparing(d -> !Marks.isOurs(d.method()))).toList();
+      Comparator<Dot> oursLast = Comparator.comparing(dot -> Marks.isOurs(dot.method()));
       if (dots.stream().anyMatch(Dot::failed)) {
-        gutter(axes.x(errors.most()), area.getMaxX(), "failed");
+        gutter(axes.x(errors.most()));
       }
       budget();
       dots.stream()
           .filter(d -> Marks.isOurs(d.method()) && !d.failed() && !d.exact())
           .forEach(this::shade);
-      for (Dot dot : oursFirst) {
-        whisker(dot);
-        Hover.over(g, text(dot), () -> mark(dot));
-        taken.add(box(x(dot) - DOT, y(dot) - DOT, 2 * DOT, 2 * DOT));
+      dots.forEach(this::whisker);
+      for (Dot dot : dots.stream().sorted(oursLast).toList()) {
+        Predicate<Dot> isUnder =
+            other -> !Marks.isOurs(other.method()) && box(other).intersects(box(dot));
+        // The largest would cover what is at its place: there it is a ring.
+        boolean ring = Marks.isOurs(dot.method()) && dots.stream().anyMatch(isUnder);
+        Hover.over(g, text(dot), () -> mark(dot, ring));
+        taken.add(box(dot));
       }
-      oursFirst.forEach(this::name);
+      dots.stream().sorted(oursLast.reversed()).forEach(this::name);
     }
 
-    private void gutter(double left, double right, String text) {
+    private void gutter(double left) {
       g.setColor(Style.PAPER);
-      g.fill(box(left, area.getY(), right - left, area.getHeight()));
+      g.fill(box(left, area.getY(), area.getMaxX() - left, area.getHeight()));
       g.setFont(Style.font(12));
       g.setColor(Style.INK);
-      double width = g.getFontMetrics().stringWidth(text);
-      g.drawString(text, (float) ((left + right - width) / 2), (float) (area.getMaxY() + 16));
+      double x = (left + area.getMaxX() - g.getFontMetrics().stringWidth("failed")) / 2;
+      g.drawString("failed", (float) x, (float) area.getMaxY() + 16);
     }
 
     private void budget() {
@@ -181,10 +183,7 @@ public final class DotChart {
     }
 
     private double x(Dot dot) {
-      if (dot.failed()) {
-        return (axes.x(errors.most()) + area.getMaxX()) / 2;
-      }
-      return dot.exact() ? area.getMinX() : axes.x(dot.error());
+      return dot.failed() ? (axes.x(errors.most()) + area.getMaxX()) / 2 : axes.x(dot.error());
     }
 
     /** Something that took no time at all cannot be had: what has none stands at the top. */
@@ -192,9 +191,11 @@ public final class DotChart {
       return Double.isFinite(dot.time()) ? axes.y(dot.time()) : area.getMinY() + 2 * DOT;
     }
 
-    private void mark(Dot dot) {
+    private void mark(Dot dot, boolean ring) {
       if (dot.failed()) {
         marks.drawFailure(g, dot.method(), x(dot), y(dot));
+      } else if (ring) {
+        marks.drawRing(g, dot.method(), x(dot), y(dot));
       } else {
         marks.draw(g, dot.method(), x(dot), y(dot));
       }
@@ -211,6 +212,7 @@ public final class DotChart {
         double x = x(dot);
         double top = axes.y(dot.high());
         double bottom = axes.y(dot.low());
+        taken.add(box(x - WHISKER, top, 2 * WHISKER, bottom - top));
         g.setColor(marks.of(dot.method()).color());
         g.setStroke(Style.line(Style.THIN));
         g.draw(new Line2D.Double(x, top, x, bottom));
@@ -228,9 +230,10 @@ public final class DotChart {
       double h = g.getFontMetrics().getAscent();
       for (double distance : DISTANCES) {
         for (double[] side : SIDES) {
-          double left = x(dot) + side[0] * (distance + w / 2) - w / 2;
+          double away = distance + box(dot).getWidth() / 2;
+          double left = x(dot) + side[0] * (away + w / 2) - w / 2;
           double within = Math.max(area.getMinX() + 2, Math.min(area.getMaxX() - 2 - w, left));
-          double cy = y(dot) + side[1] * (distance + h / 2);
+          double cy = y(dot) + side[1] * (away + h / 2);
           Rectangle2D place = box(within, cy - h / 2, w, h);
           boolean isLast = distance == DISTANCES[DISTANCES.length - 1];
           if (isLast || isFree(dot, place)) {
@@ -242,7 +245,6 @@ public final class DotChart {
             g.setColor(ours ? Style.BLUE : Style.INK);
             g.drawString(text, (float) place.getX(), (float) (place.getMaxY() - 2));
             taken.add(place);
-            texts.add(place);
             return;
           }
         }
@@ -252,13 +254,23 @@ public final class DotChart {
     private Line2D leader(Dot dot, Rectangle2D text) {
       double x = Math.max(text.getMinX(), Math.min(text.getMaxX(), x(dot)));
       double y = Math.max(text.getMinY(), Math.min(text.getMaxY(), y(dot)));
-      return new Line2D.Double(x(dot), y(dot), x, y);
+      double size = box(dot).getWidth() / 2;
+      double edge = size / Math.max(size, Math.hypot(x - x(dot), y - y(dot)));
+      double fromX = x(dot) + edge * (x - x(dot));
+      return new Line2D.Double(fromX, y(dot) + edge * (y - y(dot)), x, y);
     }
 
     private boolean isFree(Dot dot, Rectangle2D place) {
       return area.contains(place)
           && taken.stream().noneMatch(place::intersects)
-          && texts.stream().noneMatch(leader(dot, place)::intersects);
+          && taken.stream()
+              .filter(other -> !other.intersects(box(dot)))
+              .noneMatch(leader(dot, place)::intersects);
+    }
+
+    private Rectangle2D box(Dot dot) {
+      double size = Marks.isOurs(dot.method()) ? Marks.RING : DOT;
+      return box(x(dot) - size, y(dot) - size, 2 * size, 2 * size);
     }
 
     private Rectangle2D box(double x, double y, double w, double h) {

@@ -37,6 +37,8 @@ public final class FailureMapChart {
   private static final double LEFT = 58;
   private static final double RIGHT = 6;
   private static final double SPACE = 10;
+  private static final double WIDE =
+      (Picture.PANEL - LEFT - RIGHT - (COLUMNS - 1) * SPACE) / COLUMNS;
   private static final double HEAD = 31;
   private static final double CELL = 7;
   private static final double LEGEND = 26;
@@ -50,11 +52,6 @@ public final class FailureMapChart {
   private final List<Boolean> limited;
   private final List<Board> panels;
   private final Marks marks;
-  private final int width = Picture.PANEL;
-  private final int columns = COLUMNS;
-
-  /** The width of a panel. */
-  private final double wide;
 
   /**
    * Takes what is drawn.
@@ -83,30 +80,29 @@ public final class FailureMapChart {
     this.legend = List.copyOf(legend);
     this.limited = List.copyOf(limited);
     this.panels = List.copyOf(panels);
-    wide = (width - LEFT - RIGHT - (columns - 1) * SPACE) / columns;
   }
 
   /** Draws it. */
   public Picture picture() {
-    int bands = (panels.size() + columns - 1) / columns;
+    int bands = (panels.size() + COLUMNS - 1) / COLUMNS;
     double each = HEAD + CELL * y.ticks.size() + 6;
     double head = Picture.measured(this::head);
     int height = (int) Math.ceil(head + bands * each + FOOT);
     return new Picture(
-        width,
+        Picture.PANEL,
         height,
         description,
         g -> {
           double below = head(g);
           for (int i = 0; i < panels.size(); i++) {
-            double left = LEFT + i % columns * (wide + SPACE);
-            int band = i / columns;
+            double left = LEFT + i % COLUMNS * (WIDE + SPACE);
+            int band = i / COLUMNS;
             double top = below + band * each;
             panel(g, panels.get(i), left, top);
-            if (i % columns == 0) {
+            if (i % COLUMNS == 0) {
               heights(g, top + HEAD);
             }
-            if (i + columns >= panels.size()) {
+            if (i + COLUMNS >= panels.size()) {
               places(g, left, top + HEAD + CELL * y.ticks.size());
             }
           }
@@ -129,7 +125,7 @@ public final class FailureMapChart {
         continue;
       }
       double text = g.getFontMetrics().stringWidth(legend.get(i));
-      if (left > 4 && left + 18 + text > width - RIGHT) {
+      if (left > 4 && left + 18 + text > Picture.PANEL - RIGHT) {
         left = 4;
         top += LEGEND_LINE;
       }
@@ -203,7 +199,7 @@ public final class FailureMapChart {
 
   private Rectangle2D cell(int i, int run, double left, double top) {
     int cells = x.ticks.size();
-    double each = wide / cells;
+    double each = WIDE / cells;
     int row = y.ticks.size() - 1 - i / cells;
     return new Rectangle2D.Double(left + i % cells * each, top + row * CELL, run * each, CELL);
   }
@@ -212,11 +208,11 @@ public final class FailureMapChart {
     Path2D lines = new Path2D.Double();
     double height = CELL * y.ticks.size();
     for (int i = 1; i < x.ticks.size(); i++) {
-      double at = left + i * wide / x.ticks.size();
+      double at = left + i * WIDE / x.ticks.size();
       lines.append(new Line2D.Double(at, top, at, top + height), false);
     }
     for (int i = 1; i < y.ticks.size(); i++) {
-      lines.append(new Line2D.Double(left, top + i * CELL, left + wide, top + i * CELL), false);
+      lines.append(new Line2D.Double(left, top + i * CELL, left + WIDE, top + i * CELL), false);
     }
     g.setColor(Style.PAPER);
     g.setStroke(Style.line(Style.HAIR));
@@ -237,14 +233,14 @@ public final class FailureMapChart {
 
   private void places(Graphics2D g, double left, double top) {
     int cells = x.ticks.size();
-    double each = wide / cells;
+    double each = WIDE / cells;
     g.setFont(Style.font(11));
     g.setColor(Style.INK);
     int step = step(g, each);
     for (int i = 0; i < cells; i += step) {
       double text = g.getFontMetrics().stringWidth(x.ticks.get(i));
       double place = left + (i + 0.5) * each - text / 2;
-      double inside = Math.max(left, Math.min(left + wide - text, place));
+      double inside = Math.max(left, Math.min(left + WIDE - text, place));
       g.drawString(x.ticks.get(i), (float) inside, (float) (top + 12));
     }
   }
@@ -275,7 +271,7 @@ public final class FailureMapChart {
   private void labels(Graphics2D g, double bottom, double height) {
     g.setFont(Style.font(11));
     g.setColor(Style.QUIET);
-    double middle = LEFT + (width - LEFT - RIGHT) / 2;
+    double middle = LEFT + (Picture.PANEL - LEFT - RIGHT) / 2;
     double text = g.getFontMetrics().stringWidth(x.label);
     g.drawString(x.label, (float) (middle - text / 2), (float) (bottom + 30));
     AffineTransform upright = g.getTransform();

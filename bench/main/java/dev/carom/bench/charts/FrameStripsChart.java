@@ -118,7 +118,7 @@ public final class FrameStripsChart {
     double step = (bottom - top - 6) / strip.nanos.length;
     Set<Point2D> drawn = new HashSet<>();
     for (int i = 0; i < strip.nanos.length; i++) {
-      double x = Math.rint(x(axes, strip.nanos[i]));
+      double x = Math.rint(axes.x(strip.nanos[i]));
       double y = Math.rint(top + 3 + step * (i + 0.5));
       if (drawn.add(new Point2D.Double(x, y))) { // many frames share a pixel
         dots.moveTo(x, y);
@@ -128,13 +128,8 @@ public final class FrameStripsChart {
     g.setColor(Style.veil(marks.of(strip.method()).color(), 0.6));
     g.setStroke(Style.line(2));
     g.draw(dots);
-    level(g, x(axes, strip.rank(0.5)), top, bottom, 2 * Style.THIN);
-    level(g, x(axes, strip.rank(1)), top, bottom, Style.THIN);
-  }
-
-  private static double x(Axes axes, double nanos) {
-    double left = axes.area().getMinX();
-    return nanos > 0 ? Math.max(left, axes.x(nanos)) : left;
+    level(g, axes.x(strip.rank(0.5)), top, bottom, 2 * Style.THIN);
+    level(g, axes.x(strip.rank(1)), top, bottom, Style.THIN);
   }
 
   private static void level(Graphics2D g, double x, double top, double bottom, double width) {

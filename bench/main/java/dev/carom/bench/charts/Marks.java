@@ -18,12 +18,17 @@ import java.util.function.UnaryOperator;
 public final class Marks {
 
   /** The method that has blue circles for itself. */
-  private static final String OURS = "carom";
+  static final String OURS = "carom";
 
   private static final double RADIUS = 5;
 
   /** Ours is found first. */
   private static final double OUR_RADIUS = 7;
+
+  /** The outer radius of a ring. */
+  static final double RING = 10;
+
+  private static final double RING_WIDTH = 2.5;
 
   private static final List<Color> COLORS =
       List.of(Style.ORANGE, Style.GREEN, Style.VERMILION, Style.SKY, Style.PURPLE, Style.INK);
@@ -77,7 +82,7 @@ public final class Marks {
     int next = 0;
     for (String method : methods) {
       if (isOurs(method)) {
-        marks.put(method, new Mark(Style.BLUE, circle(OUR_RADIUS), false));
+        marks.put(method, new Mark(Style.BLUE, circle(0, 0, OUR_RADIUS), false));
       } else {
         // 6 and 7 have no common divisor: 42 pairs.
         Color color = COLORS.get(next % COLORS.size());
@@ -98,7 +103,7 @@ public final class Marks {
   }
 
   Mark of(String method) {
-    return marks.getOrDefault(method, new Mark(Style.QUIET, circle(RADIUS), true));
+    return marks.getOrDefault(method, new Mark(Style.QUIET, circle(0, 0, RADIUS), true));
   }
 
   /** The colour of a method. */
@@ -117,14 +122,25 @@ public final class Marks {
     g.fill(dot);
   }
 
+  /** Draws a dot as a ring, around what lies at its place. */
+  void drawRing(Graphics2D g, String method, double x, double y) {
+    Shape ring = circle(x, y, RING - RING_WIDTH / 2);
+    g.setColor(Style.FLOOR);
+    g.setStroke(Style.line(RING_WIDTH + 2));
+    g.draw(ring);
+    g.setColor(of(method).color);
+    g.setStroke(Style.line(RING_WIDTH));
+    g.draw(ring);
+  }
+
   /** Draws the sign of a failure: a ring with a cross in it. */
   void drawFailure(Graphics2D g, String method, double x, double y) {
     double r = RADIUS + 1.5;
     g.setColor(Style.FLOOR);
-    g.fill(new Ellipse2D.Double(x - r, y - r, 2 * r, 2 * r));
+    g.fill(circle(x, y, r));
     g.setColor(of(method).color);
     g.setStroke(Style.line(Style.FIRM));
-    g.draw(new Ellipse2D.Double(x - r, y - r, 2 * r, 2 * r));
+    g.draw(circle(x, y, r));
     double d = r / Math.sqrt(2);
     Path2D cross = new Path2D.Double();
     cross.moveTo(x - d, y - d);
@@ -134,8 +150,8 @@ public final class Marks {
     g.draw(cross);
   }
 
-  private static Shape circle(double r) {
-    return new Ellipse2D.Double(-r, -r, 2 * r, 2 * r);
+  private static Shape circle(double x, double y, double r) {
+    return new Ellipse2D.Double(x - r, y - r, 2 * r, 2 * r);
   }
 
   private static Shape polygon(int corners, double turn, double notch) {

@@ -338,7 +338,8 @@ public final class SceneDrawing {
     return new Ellipse2D.Double(center.getX() - r, center.getY() - r, 2 * r, 2 * r);
   }
 
-  private static double fastest(Scene scene) {
+  /** The speed of the fastest circle at time 0. */
+  public static double fastest(Scene scene) {
     double fastest = 0;
     for (int i = 0; i < scene.count(Kind.CIRCLE); i++) {
       fastest = Math.max(fastest, scene.velocity(Kind.CIRCLE, i).length());

@@ -104,13 +104,4 @@ public final class PlainScene {
   public static boolean collides(Scene scene) {
     return scene.collide() && scene.count(Kind.CIRCLE) > 1;
   }
-
-  /** The speed of the fastest circle at time 0. */
-  public static double fastest(Scene scene) {
-    double fastest = 0;
-    for (int i = 0; i < scene.count(Kind.CIRCLE); i++) {
-      fastest = Math.max(fastest, scene.velocity(Kind.CIRCLE, i).length());
-    }
-    return fastest;
-  }
 }

@@ -8,6 +8,7 @@ import dev.carom.Line;
 import dev.carom.Scene;
 import dev.carom.Traits;
 import dev.carom.Vec2;
+import dev.carom.bench.charts.SceneDrawing;
 import dev.carom.bench.methods.Method;
 import dev.carom.bench.methods.PlainScene;
 import java.util.ArrayList;
@@ -81,7 +82,7 @@ abstract class Peer implements Method {
   }
 
   private static double fastest(Scene scene) {
-    return Math.hypot(PlainScene.fastest(scene), Math.sqrt(2 * deepestFall(scene)));
+    return Math.hypot(SceneDrawing.fastest(scene), Math.sqrt(2 * deepestFall(scene)));
   }
 
   /** The energy of a unit of mass that falls from one corner of the bounds to the other. */

@@ -45,7 +45,8 @@ final class RunFigures {
     CurveChart chart =
         chart(title, Unit.POWER, null, Map.of("Distance from the true course, in radii", curves))
             .along("frame")
-            .place(limit, "off by 1 bit");
+            .place(limit, "%.0f: 1 bit off".formatted(limit))
+            .point(ours, 0.1, "frame %.0f".formatted(ours));
     ReportTable table =
         Column.table(
             Standing.of(results, scene, Metrics.HORIZON),

@@ -3,9 +3,9 @@ package dev.carom.bench.stability;
 
 import dev.carom.Circle;
 import dev.carom.Kind;
+import dev.carom.bench.charts.SceneDrawing;
 import dev.carom.bench.methods.Contender;
 import dev.carom.bench.methods.Method;
-import dev.carom.bench.methods.PlainScene;
 import dev.carom.bench.reference.Reference;
 
 /** Plays a cell by a method and tells what became of it. */
@@ -67,7 +67,7 @@ final class CellJudge {
         worst = Math.max(worst, error / ((Circle) cell.scene().shape(Kind.CIRCLE, i)).radius());
       }
     }
-    if (speedError(method, truth) > LOST * PlainScene.fastest(cell.scene())) {
+    if (speedError(method, truth) > LOST * SceneDrawing.fastest(cell.scene())) {
       return Judged.lost(CellOutcome.LOST_SPEED);
     }
     CellOutcome outcome =
