@@ -47,7 +47,9 @@ class OutlineTest {
   @Test
   void refusesWhatIsNoOutline() {
     refused(() -> Outline.polyline(1, 2), "points is 1 of them: expected at least 2");
-    refused(() -> Outline.polygon(1, 2, 3, 4), "points is 2 of them: expected at least 3");
+    refused(
+        () -> Outline.polygon(1, 2, 3, 4),
+        "points is 2 of them: expected at least 3, as it is solid");
     refused(() -> Outline.polyline(1, 2, 3), "xy is 3 numbers: expected an even number");
     refused(() -> Outline.polyline(1, 2, Double.NaN, 3), "xy[2] is NaN: expected a finite");
     refused(() -> Outline.polyline(1, 2, 1, 2), "points[1] is (1.0, 2.0): expected another point");

@@ -7,8 +7,8 @@ package dev.carom.internal.query;
  */
 final class NearbyPath {
 
-  /** Above this, the offset is scaled down to about 1. */
-  private static final double MOST = 0x1p500;
+  /** Above this, the offset is scaled down to about 1: far below where its square overflows. */
+  private static final double MOST = 0x1p100;
 
   private final double[] offset = new double[ImpactMap.SIZE];
   private double log;

@@ -34,7 +34,7 @@ public final class OutlinePoints {
     return new OutlinePoints(xy.toArray(), isSolid);
   }
 
-  /** Refuses points that make no outline. */
+  /** Refuses finite points that make no outline. */
   public void check() {
     int least = isSolid ? 3 : 2;
     if (count() < least) {
@@ -42,10 +42,6 @@ public final class OutlinePoints {
           "points",
           count() + " of them",
           "at least " + least + (isSolid ? ", as it is solid" : ""));
-    }
-    for (int i = 0; i < count(); i++) {
-      Check.finite("points[" + i + "].x", x(i));
-      Check.finite("points[" + i + "].y", y(i));
     }
     int repeated = repeated();
     if (repeated != Index.NONE) {
