@@ -10,7 +10,7 @@ import org.junit.jupiter.api.RepetitionInfo;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 
-/** The quick way to the exit of a cell has the same bits as the complete one. */
+/** Where and when cells are left. The quick way under gravity has the bits of the complete one. */
 class FallingExitTest {
 
   private final FallingExit exit = new FallingExit();
@@ -93,5 +93,23 @@ class FallingExitTest {
     if (after < Double.POSITIVE_INFINITY) {
       assertThat(exit.direction).isEqualTo(way);
     }
+  }
+
+  /** Over the edge that is reached first, in the direction of flight. */
+  @ParameterizedTest
+  @CsvSource({
+    "0, 1, 2, 5, 7, 1, 0",
+    "3, 1, 2, -5, 7, -1, 0",
+    "1, 2, 1, 5, 7, 0, 1",
+    "2, 2, 1, 5, -7, 0, -1",
+    "9, Infinity, 1, 0, -7, 0, -1",
+    "4, 1, Infinity, -5, 0, -1, 0",
+  })
+  void theWayOutNamesTheNextCell(
+      int level, double dx, double dy, double vx, double vy, int columns, int rows) {
+    int way = CellExit.way(level, dx, dy, vx, vy);
+    assertThat(CellExit.level(way)).isEqualTo(level);
+    assertThat(CellExit.columns(way)).isEqualTo(columns);
+    assertThat(CellExit.rows(way)).isEqualTo(rows);
   }
 }
