@@ -19,6 +19,9 @@ class FallingPairTest {
   /** The positions: mirrored, upside down, with the axes exchanged, and the order of the two. */
   private int position;
 
+  /** The tail of the time at which the flight of the first begins. */
+  private double early;
+
   FallingPairTest() {
     circles.allowGravity();
   }
@@ -36,6 +39,7 @@ class FallingPairTest {
       m.fall(up * gy, 0);
     }
     m.t = t;
+    m.tl = i == 0 ? early : 0;
     circles.put(slot(i), m);
   }
 
@@ -88,24 +92,54 @@ class FallingPairTest {
     }
   }
 
-  /** Thrown up at 3 from what it touches, against an acceleration of 2, it is back after 3. */
+  /** It comes in at 1, leaves on the other side at 4 - sqrt 3, turns back, and comes in again. */
+  @Test
+  void comesInAgainFromTheOtherSide() {
+    for (position = 0; position < 16; position++) {
+      put(0, 0, -1, 1, 1, 2, -2);
+      put(1, 1, 10, 2, 1, -8, 0);
+      assertThat(start()).isTrue();
+      assertTime(pair.time(false, false, NEVER), 1);
+      assertTime(pair.timeAfter(1), 4 + Math.sqrt(3));
+    }
+  }
+
+  /**
+   * Thrown up at 3 from what it touches, against an acceleration of 2, it is back after 3: where it
+   * was, though rounding has let the two overlap.
+   */
   @Test
   void comesBackToWhatItJustHit() {
     for (position = 0; position < 16; position++) {
       put(0, 5, 0, 1, 0, 0, 0);
-      put(1, 5, Math.sqrt(8), 2, 0, 3, -2);
+      put(1, 5, Math.sqrt(8) - 1e-9, 2, 0, 3, -2);
       assertThat(start()).isTrue();
       assertThat(pair.time(false, true, NEVER)).isEqualTo(3);
     }
   }
 
+  /** A quarter before the other one begins, less than its time can tell, the first is 1 below. */
+  @Test
+  void countsTheTailsOfTimes() {
+    early = -0.25;
+    for (position = 0; position < 16; position++) {
+      put(0, 0x1p52, 0, 1, 0, 4, 0);
+      put(1, 0x1p52, 9, 2, 0, 0, 0);
+      assertThat(start()).isTrue();
+      assertThat(pair.later()).isEqualTo(slot(1));
+      assertTime(pair.time(false, false, NEVER), (8 - Math.sqrt(8)) / 4);
+    }
+  }
+
   @Test
   void pointsAndWhatIsOutOfRangeNeverMeet() {
-    put(0, 0, 0, 0, 0, 0, -1);
-    put(1, 0, 9, 0, 0, 0, -1);
-    assertThat(start()).isFalse();
-    put(0, 0, -Double.MAX_VALUE, 1, 0, 0, -1);
-    put(1, 0, Double.MAX_VALUE, 1, 0, 0, -1);
-    assertThat(start()).isFalse();
+    for (position = 0; position < 16; position++) {
+      put(0, 0, 0, 0, 0, 0, -1);
+      put(1, 0, 9, 0, 0, 0, -1);
+      assertThat(start()).isFalse();
+      put(0, 0, -Double.MAX_VALUE, 1, 0, 0, -1);
+      put(1, 0, Double.MAX_VALUE, 1, 0, 0, -1);
+      assertThat(start()).isFalse();
+    }
   }
 }

@@ -21,7 +21,7 @@ class CastReachTest {
   private static final int COUNT = 20;
 
   /**
-   * A cast from the origin with a velocity and an acceleration, and a circle with its place, its
+   * A cast with a velocity and an acceleration, and a circle with its place from there, its
    * velocity and its acceleration. Ahead: towards each other; falling together; after it turned
    * back; before, and without, turning back; from rest, straight on and not at all. Above: with no
    * motion aside; while still below it, and no more; falling away aside, and back. Now; and where
@@ -51,14 +51,15 @@ class CastReachTest {
   void isTheTimeOfTheBoxes(String cast, String circle, double expected) {
     double[] own = numbers(cast);
     double[] its = numbers(circle);
-    for (int position = 0; position < 8; position++) {
+    for (int position = 0; position < 16; position++) {
       double[] o = moved(position, own);
       double[] c = moved(position, its);
+      double part = position < 8 ? 0 : 1; // the origin is at the cast, or at the circle
       MovingCircle m = new MovingCircle();
-      m.start(0, c[0], c[1], 1, c[2], c[3], 1);
+      m.start(0, c[0] - part * c[0], c[1] - part * c[1], 1, c[2], c[3], 1);
       m.fall(c[4], c[5]);
       CircleIndex index = index(m);
-      m.start(0, 0, 0, 1, o[0], o[1], 1);
+      m.start(0, -part * c[0], -part * c[1], 1, o[0], o[1], 1);
       m.fall(o[2], o[3]);
       CastReach reach = new CastReach();
       reach.start(m, index);
