@@ -4,6 +4,7 @@ package dev.carom.bench.charts;
 import java.awt.Graphics2D;
 import java.awt.geom.Rectangle2D;
 import java.util.ArrayList;
+import java.util.DoubleSummaryStatistics;
 import java.util.List;
 import java.util.function.DoubleFunction;
 import java.util.stream.DoubleStream;
@@ -47,24 +48,18 @@ final class DecadeAxis extends LogAxis {
     setMinorTickMarksVisible(false);
   }
 
-  /** An axis on which a smallest and a largest value, both greater than 0, stand off the edges. */
-  static DecadeAxis covering(double smallest, double largest, DoubleFunction<String> text) {
+  /**
+   * An axis on which the smallest and the largest of some values stand off the edges. Those that
+   * are not finite or not above 0 are passed over.
+   */
+  static DecadeAxis covering(DoubleStream values, DoubleFunction<String> text) {
+    DoubleSummaryStatistics shown =
+        values.filter(v -> v > 0 && v < Double.POSITIVE_INFINITY).summaryStatistics();
+    double smallest = shown.getCount() == 0 ? 1 : shown.getMin();
+    double largest = shown.getCount() == 0 ? 1 : shown.getMax();
     int lowest = (int) Math.floor(Math.log10(smallest / ROOM));
     int highest = (int) Math.ceil(Math.log10(largest * ROOM));
     return new DecadeAxis(lowest, highest, text);
-  }
-
-  /** The same for any values: those that are not finite or not above 0 are passed over. */
-  static DecadeAxis covering(DoubleStream values, DoubleFunction<String> text) {
-    double[] shown = values.filter(v -> v > 0 && v < Double.POSITIVE_INFINITY).sorted().toArray();
-    return shown.length == 0
-        ? covering(1, 1, text)
-        : covering(shown[0], shown[shown.length - 1], text);
-  }
-
-  /** Times in nanoseconds, each decade with its unit. */
-  static DecadeAxis times(double smallest, double largest) {
-    return covering(smallest, largest, nanos -> Durations.text(nanos, 1));
   }
 
   /** How a value between ticks is written. */

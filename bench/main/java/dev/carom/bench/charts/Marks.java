@@ -66,16 +66,7 @@ public final class Marks {
    * Hands out marks. Twenty and more methods have different ones.
    *
    * @param methods their labels, in an order that says which mark
-   */
-  public Marks(Collection<String> methods) {
-    this(methods, UnaryOperator.identity());
-  }
-
-  /**
-   * The same, for methods that are named to people by other words than in files.
-   *
-   * @param methods their labels
-   * @param names the words for a label
+   * @param names the words for a label where people read
    */
   public Marks(Collection<String> methods, UnaryOperator<String> names) {
     this.names = names;

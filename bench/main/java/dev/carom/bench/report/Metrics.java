@@ -44,9 +44,4 @@ final class Metrics {
   static String queryClass(String scene) {
     return scene.replace(QUERY, "").replace('_', ' ');
   }
-
-  /** Whether a scene stands for a class of queries. */
-  static boolean isQuery(String scene) {
-    return scene.startsWith(QUERY);
-  }
 }

@@ -23,7 +23,11 @@ class DotChartTest {
 
   private static DotChart chart(double budget, Map<String, List<Dot>> panels) {
     return new DotChart(
-        "what is shown", new Marks(METHODS), List.of("error", "time"), budget, panels);
+        "what is shown",
+        new Marks(METHODS, name -> name),
+        List.of("error", "time"),
+        budget,
+        panels);
   }
 
   private static String svg(Dot... dots) {
@@ -109,8 +113,9 @@ class DotChartTest {
 
   @Test
   void marksDifferAndOursIsTheSameWhateverTheOthersAre() {
-    Marks marks = new Marks(METHODS);
+    Marks marks = new Marks(METHODS, name -> name);
     assertThat(marks.of("overlap")).isNotEqualTo(marks.of("peer"));
-    assertThat(marks.of("carom")).isEqualTo(new Marks(List.of("x", "y", "carom")).of("carom"));
+    assertThat(marks.of("carom"))
+        .isEqualTo(new Marks(List.of("x", "y", "carom"), name -> name).of("carom"));
   }
 }
