@@ -186,7 +186,6 @@ public final class ObstacleRows {
    * Numbers beyond the last code count for nothing.
    */
   public void join(int... rows) {
-    own();
     joints = new JoinedRows();
     joined = 0;
     for (int code = first(); code < end; code++) {

@@ -3,6 +3,9 @@ package dev.carom.internal.state;
 
 import static org.assertj.core.api.Assertions.assertThat;
 
+import dev.carom.internal.util.KindNumber;
+import java.util.ArrayList;
+import java.util.List;
 import org.junit.jupiter.api.Test;
 
 /** What is kept of the past, and what is dropped. */
@@ -65,11 +68,101 @@ class HistoryTest {
     assertThat(history.at(first, 2)).startsWith(0, 0, 1, 0);
     assertThat(history.at(second, 2)).startsWith(0, 5, 1, 5);
     history.forget(3);
+    assertThat(history.at(first, 2)).isNull();
+    assertThat(history.at(second, 2)).isNull();
     assertThat(history.at(first, 4)).isNull();
     assertThat(history.at(second, 4)).isNull();
     ObstacleTable then = history.at(obstacles, 4, 1, 0, FilterBits.DEFAULT);
     assertThat(then).isEqualTo(obstacles);
     assertThat(then.lines.count()).isEqualTo(3);
     assertThat(then.size()).isEqualTo(1);
+    obstacles.remove(third);
+    history.note(third, obstacles, 5, 0);
+    history.forget(4);
+    assertThat(history.at(third, 4)).startsWith(0, 7, 1, 7);
+    history.forget(5);
+    assertThat(history.at(obstacles, 5, 1, 0, FilterBits.DEFAULT)).isEqualTo(obstacles);
+  }
+
+  /** Beside a copy that was made then. */
+  @Test
+  void allObstaclesAreAsTheyWere() {
+    ObstacleTable obstacles = ObstacleTable.empty(ObstacleTable.walls(0, 0, 9, 9));
+    int line = obstacles.add(KindNumber.LINE, 1, 2, 3, 4);
+    int other = obstacles.add(KindNumber.LINE, 2, 3, 4, 5);
+    int peg = obstacles.add(KindNumber.PEG, 5, 6, 1);
+    obstacles.setVelocity(other, 3, 4, 0);
+    ObstacleHistory history = new ObstacleHistory(obstacles);
+    List<Runnable> changes =
+        List.of(
+            () -> obstacles.move(line, new double[] {2, 2, 4, 4}, 0),
+            () -> obstacles.setVelocity(line, 1, 2, 1),
+            () -> obstacles.setRestitution(line, 0.5),
+            () -> obstacles.setTraits(line, ContactFlags.with(0, ContactFlags.HALT)),
+            () -> obstacles.setFilter(line, FilterBits.of(2, 3)),
+            () -> obstacles.setFilter(Codes.LEFT, FilterBits.of(4, 5)),
+            () -> obstacles.setVelocity(line, 0, 0, 6),
+            () -> obstacles.remove(line));
+    List<ObstacleTable> past = new ArrayList<>();
+    for (Runnable change : changes) {
+      change.run();
+      history.note(line, obstacles, past.size(), 0);
+      past.add(obstacles.copy());
+    }
+    int added = obstacles.add(KindNumber.PEG, 7, 8, 2);
+    history.note(added, obstacles, past.size(), 0);
+    past.add(obstacles.copy());
+    obstacles.remove(peg);
+    history.note(peg, obstacles, past.size(), 0);
+    past.add(obstacles.copy());
+    for (int k = 0; k < past.size(); k++) {
+      long filter = past.get(k).filter(Codes.LEFT);
+      ObstacleTable then = history.at(obstacles, k + 0.5, 1, 0, filter);
+      assertThat(then).as("after change %s", k).isEqualTo(past.get(k));
+    }
+  }
+
+  /** A row for each second, in a flight that began earlier, while eight seconds are kept. */
+  @Test
+  void changesWithinAFlightHoldFromTheirTimesOn() {
+    FlightHistory history = new FlightHistory();
+    MovingCircle m = new MovingCircle();
+    for (int k = 0; k < 200; k++) {
+      m.start(0, 10 * k, 5, 1, 1, 0, 1);
+      m.t = k < 2 ? 0 : k - 1;
+      history.add(m, k, PROPERTIES, k - 9);
+      assertThat(history.since()).isEqualTo(k);
+      for (int past = Math.max(0, k - 8); past <= k; past++) {
+        double since = past + 0.5 - (past < 2 ? 0 : past - 1);
+        assertThat(history.x(past + 0.5, null)).isEqualTo(10 * past + since);
+        assertThat(history.find(past)).isEqualTo(history.find(past + 0.5));
+      }
+    }
+    m.start(0, -7, 5, 1, 0, 0, 1);
+    m.t = 199;
+    history.add(m, 199, PROPERTIES, 0);
+    assertThat(history.x(199, null)).as("replaced").isEqualTo(-7);
+    assertThat(history.x(198.5, null)).isEqualTo(1980 + 1.5);
+    history.end(200);
+    assertThat(history.room()).isEqualTo(history.newest() + 1);
+    assertThat(history.end()).isEqualTo(200);
+  }
+
+  @Test
+  void propertiesAndNoPredictionAreLoaded() {
+    FlightHistory history = new FlightHistory();
+    MovingCircle m = new MovingCircle();
+    m.start(0, 1, 2, 1, 0, 0, 1);
+    CircleProperties larger = new CircleProperties(1, 2, 0.5, 0, 0, false);
+    history.add(m, 0, PROPERTIES, 0);
+    history.add(m, 3, larger, 0);
+    assertThat(history.radius(2.9)).isEqualTo(PROPERTIES.radius());
+    assertThat(history.radius(3)).isEqualTo(larger.radius());
+    assertThat(history.properties()).isEqualTo(larger);
+    m.next = Codes.line(5);
+    m.cleared = 9;
+    assertThat(history.load(2, m)).isEqualTo(PROPERTIES);
+    assertThat(m.next).isEqualTo(MovingCircle.NOTHING);
+    assertThat(m.cleared).isZero();
   }
 }
