@@ -28,6 +28,9 @@ import org.junit.jupiter.params.provider.ValueSource;
 /** Snapshots as bytes: whole ones are read back, all others refused. */
 class SnapshotStreamTest {
 
+  /** Before the columns of the first pair of a circle in contact. */
+  private static final String PAIR = "pair ";
+
   // Where things stand in the stream of small(), in bytes.
   private static final int VERSION = 8;
   private static final int NOW = 12;
@@ -528,18 +531,43 @@ class SnapshotStreamTest {
     assertRefused(SnapshotBytes.of(snapshot), "code 4 does not exist");
   }
 
-  /** An awake member's tick has a length above 0, and does not end before the snapshot. */
-  @Test
-  void aClockThatStandsIsRefused() throws IOException {
+  /**
+   * A circle at rest in a wedge: an awake member's tick has a length above 0, and does not end
+   * before the snapshot. Its first pair is one with a line.
+   */
+  @ParameterizedTest
+  @CsvSource({
+    ContactRow.TAU + ", 0, a tick ends at ",
+    ContactRow.END + ", 0.9999999999999999, a tick ends at 0.9999999999999999",
+    "0, NaN, a number of a circle in contact is NaN",
+    ContactRow.MARGIN + ", -1, the margin of a circle is -1.0",
+    ContactRow.PULL + ", -1, the pull on a circle is -1.0",
+    PAIR + ContactRow.OTHER + ", -2, the other one of a pair is -2.0",
+    PAIR + ContactRow.OTHER + ", 1, the other one of a pair is 1.0",
+    PAIR + ContactRow.OTHER + ", 0.5, the other one of a pair is 0.5",
+    PAIR + ContactRow.KEY + ", -1, the other one of a pair is -1.0",
+    PAIR + ContactRow.KEY + ", 0.5, the other one of a pair is -1.0",
+    PAIR + ContactRow.IMPULSE + ", -1, an impulse is -1.0",
+    PAIR + ContactRow.FLAGS + ", 4, an impulse is ",
+    PAIR + ContactRow.FLAGS + ", 0.5, an impulse is ",
+    ContactRow.MARGIN + ", 0,",
+    ContactRow.PULL + ", 0,",
+    PAIR + ContactRow.IMPULSE + ", 0,",
+    PAIR + ContactRow.FLAGS + ", 3,",
+  })
+  void numbersOfContactAreChecked(String column, double number, String refusal) throws IOException {
     SceneBuilder scene = Scene.builder().gravity(0, -10).line(-10, 10, 0, 0).line(0, 0, 10, 10);
     World world = new World(scene.circle(0.5, 4, 1, 0, 0).restitution(0).build());
     world.advanceTo(1);
-    byte[] bytes = SnapshotBytes.of(world.snapshot());
-    for (int column : new int[] {ContactRow.TAU, ContactRow.END}) {
-      Snapshot snapshot = read(bytes);
-      double[] row = snapshot.state.flights().contactRows[0];
-      row[column] = column == ContactRow.TAU ? 0 : Math.nextDown(1.0);
-      assertRefused(SnapshotBytes.of(snapshot), "a tick ends at " + row[ContactRow.END]);
+    Snapshot snapshot = read(SnapshotBytes.of(world.snapshot()));
+    int k = column.startsWith(PAIR) ? ContactRow.SIZE : 0;
+    k += Integer.parseInt(column.replace(PAIR, ""));
+    snapshot.state.flights().contactRows[0][k] = number;
+    byte[] bytes = SnapshotBytes.of(snapshot);
+    if (refusal == null) {
+      assertThat(SnapshotBytes.of(read(bytes))).isEqualTo(bytes);
+    } else {
+      assertRefused(bytes, refusal);
     }
   }
 

@@ -122,27 +122,28 @@ class HistoryTest {
     }
   }
 
-  /** A row for each second, in a flight that began earlier, while eight seconds are kept. */
+  /** A row for each second, from the fourth on in flights that began earlier; eight are kept. */
   @Test
   void changesWithinAFlightHoldFromTheirTimesOn() {
     FlightHistory history = new FlightHistory();
     MovingCircle m = new MovingCircle();
-    for (int k = 0; k < 200; k++) {
+    for (int k = 0; k < 199; k++) {
       m.start(0, 10 * k, 5, 1, 1, 0, 1);
-      m.t = k < 2 ? 0 : k - 1;
+      m.t = k < 3 ? k : k - 1;
       history.add(m, k, PROPERTIES, k - 9);
       assertThat(history.since()).isEqualTo(k);
       for (int past = Math.max(0, k - 8); past <= k; past++) {
-        double since = past + 0.5 - (past < 2 ? 0 : past - 1);
+        double since = past < 3 ? 0.5 : 1.5;
         assertThat(history.x(past + 0.5, null)).isEqualTo(10 * past + since);
         assertThat(history.find(past)).isEqualTo(history.find(past + 0.5));
       }
     }
     m.start(0, -7, 5, 1, 0, 0, 1);
-    m.t = 199;
-    history.add(m, 199, PROPERTIES, 0);
-    assertThat(history.x(199, null)).as("replaced").isEqualTo(-7);
-    assertThat(history.x(198.5, null)).isEqualTo(1980 + 1.5);
+    m.t = 198;
+    history.add(m, 198, PROPERTIES, 0);
+    assertThat(history.x(198, null)).as("replaced").isEqualTo(-7);
+    assertThat(history.x(197.5, null)).isEqualTo(1970 + 1.5);
+    assertThat(history.room()).isGreaterThan(history.newest() + 1);
     history.end(200);
     assertThat(history.room()).isEqualTo(history.newest() + 1);
     assertThat(history.end()).isEqualTo(200);
@@ -153,16 +154,18 @@ class HistoryTest {
     FlightHistory history = new FlightHistory();
     MovingCircle m = new MovingCircle();
     m.start(0, 1, 2, 1, 0, 0, 1);
-    CircleProperties larger = new CircleProperties(1, 2, 0.5, 0, 0, false);
+    CircleProperties larger = new CircleProperties(2, 1, 0.5, 0, 0, false);
     history.add(m, 0, PROPERTIES, 0);
     history.add(m, 3, larger, 0);
     assertThat(history.radius(2.9)).isEqualTo(PROPERTIES.radius());
     assertThat(history.radius(3)).isEqualTo(larger.radius());
     assertThat(history.properties()).isEqualTo(larger);
-    m.next = Codes.line(5);
-    m.cleared = 9;
-    assertThat(history.load(2, m)).isEqualTo(PROPERTIES);
-    assertThat(m.next).isEqualTo(MovingCircle.NOTHING);
-    assertThat(m.cleared).isZero();
+    MovingCircle then = new MovingCircle();
+    then.next = Codes.line(5);
+    then.cleared = 9;
+    assertThat(history.load(2, then)).isEqualTo(PROPERTIES);
+    assertThat(then.x).isEqualTo(1);
+    assertThat(then.next).isEqualTo(MovingCircle.NOTHING);
+    assertThat(then.cleared).isZero();
   }
 }
