@@ -8,6 +8,7 @@ import static org.assertj.core.api.Assertions.tuple;
 import static org.assertj.core.api.Assertions.within;
 import static org.junit.jupiter.params.provider.Arguments.arguments;
 
+import dev.carom.internal.state.EngineDescription;
 import dev.carom.internal.state.EngineOptions;
 import java.util.List;
 import java.util.stream.Collectors;
@@ -349,6 +350,10 @@ class WorldTest {
         .contains("100 lines and pegs in 1 grid of");
     assertThat(new World(TestScenes.read("base-1.csv"), EngineOptions.EACH).toString())
         .contains("100 lines and pegs without a grid");
+    assertThat(new EngineDescription(true, 2, 1, 1, 30))
+        .hasToString("circles that collide, 2 lines and pegs in 1 grid of 30 cells, and 1 moving");
+    assertThat(new EngineDescription(false, 1, 0, 2, 30))
+        .hasToString("circles that ignore each other, 1 line or peg in 2 grids of 30 cells");
   }
 
   @Test

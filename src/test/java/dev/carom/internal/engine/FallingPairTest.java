@@ -89,6 +89,9 @@ class FallingPairTest {
       assertThat(pair.timeAfter(1.75)).isEqualTo(NEVER);
       assertThat(pair.isFar(1.74)).isTrue();
       assertThat(pair.isFar(1.75)).isFalse();
+      put(1, 1, 11, 2, 1, 4, -2);
+      assertThat(start()).isTrue();
+      assertThat(pair.time(false, false, NEVER)).as("parting").isEqualTo(NEVER);
     }
   }
 
