@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 package dev.carom.internal.response;
 
+import dev.carom.internal.util.Index;
 import java.util.Arrays;
 
 /**
@@ -27,6 +28,11 @@ final class Flights {
   /** The places of circles in the order, by their turns. */
   private final long[] turns;
 
+  /** Of each circle, the first of the pairs in which it is the later one; the next such of each. */
+  private final int[] first;
+
+  private int[] next = new int[0];
+
   // Pairs that are pushed apart: their target, and the impulse so far.
   private int closeCount;
   private int[] close = new int[0];
@@ -43,6 +49,7 @@ final class Flights {
     u = new double[2 * members.count + 2];
     drive = new double[2 * members.count];
     turns = new long[members.count];
+    first = new int[members.count];
   }
 
   /** Starts with the momenta; what hits ends where its bounce is at the end of the tick. */
@@ -126,12 +133,13 @@ final class Flights {
    */
   void pass(double h, double slow) {
     sortByMass();
+    sharePairs();
     for (int k = 0; k < graph.awake; k++) {
       int q = (int) turns[k];
       int a = 2 * graph.order[q];
       double x = u[a];
       double y = u[a + 1];
-      if (gather(q, h) && planes.nearest(x, y)) {
+      if (gather(a / 2, h) && planes.nearest(x, y)) {
         double dx = planes.x - x;
         double dy = planes.y - y;
         double most = slow + (ContactLaw.NEWCOMER - 1) * Math.sqrt(x * x + y * y);
@@ -144,6 +152,11 @@ final class Flights {
     }
   }
 
+  /** Of two inverse masses: whether the first is that of a heavier circle, by powers of two. */
+  static boolean isHeavier(double first, double second) {
+    return Math.getExponent(first) < Math.getExponent(second);
+  }
+
   private void sortByMass() {
     for (int q = 0; q < graph.awake; q++) {
       long exponent = Math.getExponent(momenta.weight[graph.order[q]]);
@@ -152,19 +165,39 @@ final class Flights {
     Arrays.sort(turns, 0, graph.awake);
   }
 
-  /** Collects the bounds of the q-th circle; false if its flight keeps them. */
-  private boolean gather(int q, double h) {
+  /** Gives each pair to that one of its circles which has its turn later. */
+  private void sharePairs() {
+    NearPairs p = graph.pairs;
+    if (next.length < p.size) {
+      next = new int[p.owner.length];
+    }
+    for (int k = 0; k < graph.awake; k++) {
+      first[graph.order[k]] = Index.NONE;
+    }
+    double[] w = momenta.weight;
+    for (int k = p.size - 1; k >= 0; k--) {
+      int i = isHeavier(w[p.owner[k]], w[p.other[k]]) ? p.other[k] : p.owner[k];
+      next[k] = first[i];
+      first[i] = k;
+    }
+  }
+
+  /** Collects the bounds of a circle; false if its flight keeps them. */
+  private boolean gather(int i, double h) {
     NearPairs p = graph.pairs;
     boolean bad = false;
-    for (int k = p.start[q]; k < p.start[q + 1] && !bad; k++) {
+    for (int k = first[i]; k >= 0 && !bad; k = next[k]) {
       bad = p.felt[k] && p.opening(u, k) < least(k, h);
     }
     planes.clear();
-    for (int k = p.start[q]; k < p.start[q + 1] && bad; k++) {
+    for (int k = first[i]; k >= 0 && bad; k = next[k]) {
       if (p.felt[k]) {
-        int b = 2 * p.other[k];
-        double other = u[b] * p.nx[k] + u[b + 1] * p.ny[k] + p.drift[k];
-        planes.add(p.nx[k], p.ny[k], other + least(k, h));
+        boolean owns = p.owner[k] == i;
+        int b = 2 * (owns ? p.other[k] : p.owner[k]);
+        double nx = owns ? p.nx[k] : -p.nx[k];
+        double ny = owns ? p.ny[k] : -p.ny[k];
+        double other = u[b] * nx + u[b + 1] * ny + p.drift[k];
+        planes.add(nx, ny, other + least(k, h));
       }
     }
     return bad;

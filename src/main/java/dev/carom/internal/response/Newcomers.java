@@ -62,12 +62,26 @@ final class Newcomers {
     double pushed = parts.areMoving() ? longest : 0;
     double most = ContactLaw.NEWCOMER * Math.sqrt(px * px + py * py) + slow + pushed;
     lookAround(i, (most + longest) * time + ContactLaw.STANDOFF * members.radius[i]);
+    if (meetsLighter(i, px, py)) {
+      return false;
+    }
     if (takesNearest(i, px, py, most) || takesOther(i, px, py, most)) {
       longest = Math.max(longest, members.speed(i));
       turn(i, px, py);
       return true;
     }
     return halt(i, px, py);
+  }
+
+  /** Whether a flight meets a lighter member: in a tick of both, that one gives way. */
+  private boolean meetsLighter(int i, double px, double py) {
+    boolean does = false;
+    for (int c = 0; c < nearMembers && !does; c++) {
+      int j = near.get(c);
+      boolean isHeavier = Flights.isHeavier(members.inverseMass[i], members.inverseMass[j]);
+      does = isHeavier && members.isAwake(j) && meets(j, i, px, py);
+    }
+    return does;
   }
 
   private boolean takesNearest(int i, double px, double py, double most) {
@@ -217,7 +231,7 @@ final class Newcomers {
     near.sort(0);
     for (int c = 0; c < near.size(); c++) {
       int j = near.get(c);
-      if (!stopped.contains(j) && meets(j, s, x, y)) {
+      if (!stopped.contains(j) && meets(j, s, 0, 0)) {
         stopped.add(j);
         if (!members.isAwake(j)) {
           return false; // it is carried
@@ -227,12 +241,15 @@ final class Newcomers {
     return !isMetByMover(s, x, y);
   }
 
-  private boolean meets(int j, int s, double x, double y) {
+  /** Whether a member would meet a circle in the time that is left, if that flew at (ux, uy). */
+  private boolean meets(int j, int s, double ux, double uy) {
+    double x = members.xAt(s, now);
+    double y = members.yAt(s, now);
     double dx = x - members.xAt(j, now);
     double dy = y - members.yAt(j, now);
     double d = Math.sqrt(dx * dx + dy * dy);
     double gap = Math.max(0, d - members.radius[j] - members.radius[s]);
-    return gap * d < (members.ux[j] * dx + members.uy[j] * dy) * time;
+    return gap * d < ((members.ux[j] - ux) * dx + (members.uy[j] - uy) * dy) * time;
   }
 
   /** Whether an obstacle that moves would meet a circle that stands. */
