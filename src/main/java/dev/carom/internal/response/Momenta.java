@@ -87,15 +87,25 @@ final class Momenta {
     for (int k = 0; k < p.size; k++) {
       double pull = members.pull(p, k);
       double reach = 2 * pull * h * h;
-      warmStart[k] = Math.min(p.impulse[k], ContactLaw.MASS_RATIO * lightWeight(k, pull * h));
+      warmStart[k] = 0;
       if (p.felt[k]) {
         double q = p.opening(v, k);
         double room = p.gap[k] - p.standoff[k];
-        if (room + Math.min(q, 0) * h < reach || p.impulse[k] > 0) {
+        warmStart[k] = Math.min(p.impulse[k], mostAtStart(k, q, h) * lightWeight(k, pull * h));
+        if (room + Math.min(q, 0) * h < reach || warmStart[k] > 0) {
           choose(k, q, room, h, clock.slow(pull));
         }
       }
     }
+  }
+
+  /**
+   * The impulse at which a solve may start, in weights of the lighter circle. Where a contact opens
+   * it has to go, and a sweep takes back about a weight: what is left would push heavy circles.
+   */
+  private double mostAtStart(int k, double q, double h) {
+    double end = graph.pairs.gap[k] + Math.max(0, q) * h;
+    return carries(k, end) ? ContactLaw.MASS_RATIO : ContactLaw.SWEEPS;
   }
 
   private void choose(int k, double q, double room, double h, double slow) {
@@ -123,14 +133,18 @@ final class Momenta {
     }
   }
 
+  /** Whether a pair carries at a gap. */
+  private boolean carries(int k, double gap) {
+    return gap <= ContactLaw.HOLD * graph.pairs.standoff[k];
+  }
+
   /** The least opening speed of a contact that is no hit. */
   private double bound(int k, double room, double h) {
     NearPairs p = graph.pairs;
-    double gap = p.gap[k];
-    if (gap > ContactLaw.HOLD * p.standoff[k]) {
+    if (!carries(k, p.gap[k])) {
       return -room / h;
     }
-    double ease = gap - p.standoff[k] / 2;
+    double ease = p.gap[k] - p.standoff[k] / 2;
     if (p.round[k] == 0 || ease <= 0) {
       return 0;
     }
@@ -223,8 +237,8 @@ final class Momenta {
   }
 
   /**
-   * Keeps the impulses for the next tick, each at most twice that of its warm start and a weight:
-   * that of a hit is no load.
+   * Keeps the impulses for the next tick, each at most twice that of its warm start and what the
+   * heavier circle weighs: that of a hit is no load.
    */
   private void keep(double h) {
     NearPairs p = graph.pairs;
@@ -237,7 +251,7 @@ final class Momenta {
       if (l > 0) {
         int k = pair[c];
         double kick = members.pull(p, k) * h;
-        p.impulse[k] = Math.min(l, 2 * warmStart[k] + lightWeight(k, kick));
+        p.impulse[k] = Math.min(l, 2 * warmStart[k] + heavyWeight(k, kick));
         setBears(k, true);
       }
     }
@@ -251,6 +265,13 @@ final class Momenta {
   /** What the lighter one of a pair weighs in a tick. */
   private double lightWeight(int k, double kick) {
     return kick / Math.max(weight[graph.pairs.owner[k]], weight[graph.pairs.other[k]]);
+  }
+
+  /** What the heavier one of a pair, of those that are awake, weighs in a tick. */
+  private double heavyWeight(int k, double kick) {
+    double own = weight[graph.pairs.owner[k]];
+    double other = weight[graph.pairs.other[k]];
+    return kick / (other > 0 ? Math.min(own, other) : own);
   }
 
   private void setBears(int k, boolean does) {
