@@ -17,7 +17,8 @@ import java.util.Arrays;
  *
  * <p>Newton's restitution at several contacts can make energy. So the work of the impulses, {@code
  * sum l (q_before + q_after)}, is taken for each group of contacts that bear; where it is above 0
- * they are solved anew, without restitution.
+ * they are solved anew, without restitution. All others go on from where they are, so they are
+ * asked again.
  */
 final class Momenta {
 
@@ -191,7 +192,7 @@ final class Momenta {
     int most = count == 0 ? 0 : Math.max(ContactLaw.SWEEPS, ContactLaw.WORK / count);
     sweeps.load(graph.order, graph.awake, v);
     sweeps.solve(tolerance, most);
-    if (makesEnergy()) {
+    for (int s = 0; s < ContactLaw.TRIES && makesEnergy(); s++) {
       sweeps.load(graph.order, graph.awake, v);
       sweeps.solvePlainly(tolerance, most);
     }
