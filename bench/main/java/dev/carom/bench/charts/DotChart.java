@@ -126,6 +126,7 @@ public final class DotChart {
     private final DecadeAxis errors;
     private final Rectangle2D area;
     private final List<Rectangle2D> taken = new ArrayList<>();
+    private List<Dot> dots = List.of();
 
     Drawing(Graphics2D g, Axes axes, DecadeAxis errors) {
       this.g = g;
@@ -135,6 +136,7 @@ public final class DotChart {
     }
 
     void draw(List<Dot> dots) {
+      this.dots = dots;
       Comparator<Dot> oursLast = Comparator.comparing(dot -> Marks.isOurs(dot.method()));
       if (dots.stream().anyMatch(Dot::failed)) {
         gutter(axes.x(errors.most()));
@@ -230,14 +232,15 @@ public final class DotChart {
       double h = g.getFontMetrics().getAscent();
       for (double distance : DISTANCES) {
         for (double[] side : SIDES) {
+          boolean joined = distance >= JOINED_FROM || side[0] * side[1] != 0;
           double away = distance + box(dot).getWidth() / 2;
           double left = x(dot) + side[0] * (away + w / 2) - w / 2;
           double within = Math.max(area.getMinX() + 2, Math.min(area.getMaxX() - 2 - w, left));
           double cy = y(dot) + side[1] * (away + h / 2);
           Rectangle2D place = box(within, cy - h / 2, w, h);
           boolean isLast = distance == DISTANCES[DISTANCES.length - 1];
-          if (isLast || isFree(dot, place)) {
-            if (distance >= JOINED_FROM || side[0] * side[1] != 0) {
+          if (isLast || (isFree(dot, place) && (ours || joined || isNearest(dot, place)))) {
+            if (joined) {
               g.setColor(Style.QUIET);
               g.setStroke(Style.line(Style.HAIR));
               g.draw(leader(dot, place));
@@ -258,6 +261,18 @@ public final class DotChart {
       double edge = size / Math.max(size, Math.hypot(x - x(dot), y - y(dot)));
       double fromX = x(dot) + edge * (x - x(dot));
       return new Line2D.Double(fromX, y(dot) + edge * (y - y(dot)), x, y);
+    }
+
+    /** Whether no other dot is nearer to a text: it would be taken for that one's. */
+    private boolean isNearest(Dot dot, Rectangle2D text) {
+      return dots.stream().noneMatch(other -> length(other, text) < length(dot, text));
+    }
+
+    /** How far the middle of a dot is from a text. */
+    private double length(Dot dot, Rectangle2D text) {
+      double dx = Math.max(0, Math.max(text.getMinX() - x(dot), x(dot) - text.getMaxX()));
+      double dy = Math.max(0, Math.max(text.getMinY() - y(dot), y(dot) - text.getMaxY()));
+      return Math.hypot(dx, dy);
     }
 
     private boolean isFree(Dot dot, Rectangle2D place) {
