@@ -28,7 +28,7 @@ final class Flights {
   /** The places of circles in the order, by their turns. */
   private final long[] turns;
 
-  /** Of each circle, the first of the pairs in which it is the later one; the next such of each. */
+  /** The first pair that each circle has to keep, by circles; then, by pairs, the next one. */
   private final int[] first;
 
   private int[] next = new int[0];
@@ -135,11 +135,11 @@ final class Flights {
     sortByMass();
     sharePairs();
     for (int k = 0; k < graph.awake; k++) {
-      int q = (int) turns[k];
-      int a = 2 * graph.order[q];
+      int i = graph.order[(int) turns[k]];
+      int a = 2 * i;
       double x = u[a];
       double y = u[a + 1];
-      if (gather(a / 2, h) && planes.nearest(x, y)) {
+      if (gather(i, h) && planes.nearest(x, y)) {
         double dx = planes.x - x;
         double dy = planes.y - y;
         double most = slow + (ContactLaw.NEWCOMER - 1) * Math.sqrt(x * x + y * y);
@@ -152,9 +152,9 @@ final class Flights {
     }
   }
 
-  /** Of two inverse masses: whether the first is that of a heavier circle, by powers of two. */
-  static boolean isHeavier(double first, double second) {
-    return Math.getExponent(first) < Math.getExponent(second);
+  /** Whether a circle is heavier than another one, by powers of two; from inverse masses. */
+  static boolean isHeavier(double weight, double other) {
+    return Math.getExponent(weight) < Math.getExponent(other);
   }
 
   private void sortByMass() {

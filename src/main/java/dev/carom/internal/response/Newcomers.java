@@ -241,7 +241,7 @@ final class Newcomers {
     return !isMetByMover(s, x, y);
   }
 
-  /** Whether a member would meet a circle in the time that is left, if that flew at (ux, uy). */
+  /** Whether member j meets circle s in the time that is left, where s flies at (ux, uy). */
   private boolean meets(int j, int s, double ux, double uy) {
     double x = members.xAt(s, now);
     double y = members.yAt(s, now);
