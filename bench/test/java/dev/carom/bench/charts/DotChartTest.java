@@ -6,6 +6,7 @@ import static org.assertj.core.api.Assertions.assertThat;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
+import java.util.regex.Matcher;
 import java.util.regex.Pattern;
 import org.junit.jupiter.api.Test;
 
@@ -55,6 +56,24 @@ class DotChartTest {
                 .map(match -> match.find() ? match.group().replaceAll("[^>]*>", "") : "")
                 .toList())
         .containsExactlyElementsOf(METHODS.stream().map(name -> name + "<").toList());
+  }
+
+  /** The right one of two marks that overlap would be named at the left, the left one above. */
+  @Test
+  void theLeftOneOfTwoDotsHasTheLeftName() {
+    String svg =
+        svg(
+            dot("carom", "", 1e-13, 1000),
+            dot("peer", "", 2.0, 260_000),
+            dot("overlap", "", 1.3, 235_000),
+            dot("substeps", "", 2.2, 150_000));
+    assertThat(nameX(svg, "overlap")).isLessThan(nameX(svg, "peer"));
+  }
+
+  private static double nameX(String svg, String name) {
+    Matcher match = Pattern.compile(" x='([^']*)' y='[^']*'[^>]*>" + name + "<").matcher(svg);
+    assertThat(match.find()).isTrue();
+    return Double.parseDouble(match.group(1));
   }
 
   @Test
